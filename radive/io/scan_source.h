@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radive/sensor/radar_scan.h"
+
+namespace radive {
+
+// A drive, scan by scan. The only thing odometry knows of a dataset.
+//
+//   std::unique_ptr<ScanSource> source = OpenScanSource(path, options, &error);
+//   RadarScan scan;
+//   while (source->Next(&scan) == ScanSource::Status::kScan) { ... }
+//
+// Canonical form: positions FLU in metres, Doppler as range rate (positive receding) in m/s,
+// integer-nanosecond stamps. Readers convert to it; nobody else does.
+class ScanSource {
+ public:
+  enum class Status {
+    kScan,   // *scan is the next scan, in stamp order; it may be empty
+    kEnd,    // the drive is over
+    kError,  // the drive cannot be read any further: error() says file, place and expectation
+  };
+
+  virtual ~ScanSource() = default;
+
+  virtual Status Next(RadarScan* scan) = 0;
+
+  // What the source reads, for the log: "raw float32 scans (xyz3), 396 files".
+  virtual std::string Description() const = 0;
+
+  // Number of scans of the whole drive, where it is known beforehand (for progress and ETA).
+  virtual std::optional<int> NumScans() const = 0;
+
+  // Set after Status::kError.
+  const std::string& error() const { return error_; }
+
+  // Counted remarks on scans that were delivered all the same: "FILE: 3 bytes after the last
+  // whole record ignored". Cleared by TakeWarnings().
+  std::vector<std::string> TakeWarnings() { return std::exchange(warnings_, {}); }
+
+ protected:
+  std::string error_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace radive

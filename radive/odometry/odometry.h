@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "radive/odometry/odometry_options.h"
+#include "radive/odometry/odometry_result.h"
+#include "radive/sensor/radar_scan.h"
+
+namespace radive {
+
+// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each.
+//
+//   radive::Odometry odometry(options);
+//   for (const radive::RadarScan& scan : scans) {
+//     const radive::OdometryResult result = odometry.AddScan(scan);
+//   }
+//
+// Causal and deterministic: a result depends on the scans so far and on the options, never on
+// timing or on the number of threads.
+class Odometry {
+ public:
+  // `options` must be valid (OdometryOptions::IsValid).
+  explicit Odometry(const OdometryOptions& options);
+  ~Odometry();
+  Odometry(Odometry&&) noexcept;
+  Odometry& operator=(Odometry&&) noexcept;
+
+  // Never fails: a scan that cannot be used is reported in the result's status and reason.
+  OdometryResult AddScan(const RadarScan& scan);
+
+  // Points of all keyframes so far, in the world frame [m], for the map file.
+  std::vector<Eigen::Vector3d> MapPoints() const;
+
+  // Remarks worth a line in the log ("scans carry no Doppler: ego velocity and weights are off").
+  // Cleared by the call.
+  std::vector<std::string> TakeNotes();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace radive

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/odometry/odometry_options.h"
+
+namespace radive {
+
+std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::Stages() {
+  return {};
+}
+
+bool OdometryOptions::IsValid(std::string* error) const {
+  OdometryOptions copy = *this;
+  for (const auto& [stage, fields] : copy.Stages()) {
+    if (!CheckFields(stage, fields, error)) return false;
+  }
+  return true;
+}
+
+}  // namespace radive
