@@ -22,6 +22,20 @@ std::string NumberText(double value) {
   return text;
 }
 
+// A double-quoted YAML string.
+std::string QuotedText(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (c == '\n') {
+      quoted += "\\n";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
 bool InBounds(const OptionField& field, double value) {
   const bool above = field.exclude_min ? value > field.min : value >= field.min;
   return above && value <= field.max;
@@ -50,7 +64,7 @@ std::string OptionField::ToString() const {
     std::string operator()(const double* v) const { return NumberText(*v); }
     std::string operator()(const int* v) const { return std::to_string(*v); }
     std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
-    std::string operator()(const std::string* v) const { return "\"" + *v + "\""; }
+    std::string operator()(const std::string* v) const { return QuotedText(*v); }
     std::string operator()(const std::vector<double>* v) const {
       std::string text = "[";
       for (const double entry : *v) text += (text.size() > 1 ? ", " : "") + NumberText(entry);

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/config/run_config.h"
+
+namespace radive {
+
+std::vector<std::pair<std::string, std::vector<OptionField>>> RunConfig::Stages() {
+  std::vector<std::pair<std::string, std::vector<OptionField>>> stages;
+  stages.emplace_back("input", input.Fields());
+  for (auto& stage : odometry.Stages()) stages.push_back(std::move(stage));
+  stages.emplace_back("output", output.Fields());
+  return stages;
+}
+
+bool RunConfig::IsValid(std::string* error) const {
+  return input.IsValid(error) && odometry.IsValid(error) && output.IsValid(error);
+}
+
+}  // namespace radive
