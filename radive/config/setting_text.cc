@@ -43,17 +43,24 @@ struct Assigner {
   const SettingText& text;
 
   bool operator()(double* value) const {
-    return IsPlainWord() && ParseNumber(text.words[0], value);
+    double number = 0.0;
+    if (!IsPlainWord() || !ParseNumber(text.words[0], &number)) return false;
+    *value = number;
+    return true;
   }
-  bool operator()(int* value) const { return IsPlainWord() && ParseInteger(text.words[0], value); }
+  bool operator()(int* value) const {
+    int number = 0;
+    if (!IsPlainWord() || !ParseInteger(text.words[0], &number)) return false;
+    *value = number;
+    return true;
+  }
   bool operator()(bool* value) const {
     if (!IsPlainWord() || (text.words[0] != "true" && text.words[0] != "false")) return false;
     *value = text.words[0] == "true";
     return true;
   }
   bool operator()(std::string* value) const {
-    if (text.is_list) return false;
-    *value = text.words[0];
+    *value = text.is_list ? text.ToString() : text.words[0];  // a text may well be "[x, y, z]"
     return true;
   }
   bool operator()(std::vector<double>* value) const {

@@ -12,26 +12,25 @@ namespace radive {
 
 // STAND-IN until the branch `sources` is merged.
 struct InputOptions {
-  enum class Format { kAuto, kXyz3, kVod7, kXyzdp5, kTj4d8, kHercules29, kRadarScenes };
+  enum class Format { kRaw, kHercules, kRadarScenes };
   enum class DopplerSign { kAuto, kPlus, kMinus };
-  Format format = Format::kAuto;
-  DopplerSign doppler_sign = DopplerSign::kAuto;
+  Format format = Format::kRaw;
+  std::string layout = "xyz3";
+  std::string folder;
   double rate = 10.0;
-  int radar = 1;
+  std::string radar = "2";
+  DopplerSign doppler_sign = DopplerSign::kAuto;
+  bool planar = false;
 
   std::vector<OptionField> Fields() {
     return {
-        {"format",
-         MakeChoice(&format,
-                    {"auto", "xyz3", "vod7", "xyzdp5", "tj4d8", "hercules29", "radarscenes"}),
-         "-",
-         "Layout of the scan files."},
-        {"doppler_sign",
-         MakeChoice(&doppler_sign, {"auto", "+1", "-1"}),
-         "-",
-         "Factor that makes the Doppler positive for receding returns."},
-        OptionField{"rate", &rate, "Hz", "Scan rate, where the files carry no stamps."}.Above(0.0),
-        OptionField{"radar", &radar, "-", "Radar of the vehicle."}.AtLeast(1).AtMost(4),
+        {"format", MakeChoice(&format, {"raw", "hercules", "radarscenes"}), "-", "Kind of files."},
+        {"layout", &layout, "-", "Columns of raw records."},
+        {"folder", &folder, "-", "Folder with the scan files."},
+        OptionField{"rate", &rate, "Hz", "Scans a second."}.Above(0.0).AtMost(1e6),
+        {"radar", &radar, "-", "Which radar of the vehicle."},
+        {"doppler_sign", MakeChoice(&doppler_sign, {"auto", "+1", "-1"}), "-", "Doppler factor."},
+        {"planar", &planar, "-", "No elevation."},
     };
   }
   bool IsValid(std::string* error) const { return CheckOptions("input", *this, error); }

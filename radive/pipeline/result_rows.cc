@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/pipeline/result_rows.h"
+
+#include <cinttypes>
+#include <cstdio>
+
+namespace radive {
+namespace {
+
+constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
+
+// Fixed decimals; minus zero is written as zero, so that its sign cannot make two rows differ.
+std::string Fixed(double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.9f", value);
+  const std::string fixed = text;
+  return fixed == "-0.000000000" ? "0.000000000" : fixed;
+}
+
+std::string Short(double value) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.9g", value);
+  return text;
+}
+
+std::string Milliseconds(double value) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.4f", value);
+  return text;
+}
+
+// Seconds with all nanoseconds, which a double would lose after some months of epoch.
+std::string SecondsText(std::int64_t stamp_ns) {
+  const std::uint64_t magnitude = stamp_ns < 0 ? 0 - static_cast<std::uint64_t>(stamp_ns)
+                                               : static_cast<std::uint64_t>(stamp_ns);
+  const std::uint64_t unit = kNanosecondsPerSecond;
+  char text[40];
+  std::snprintf(text,
+                sizeof(text),
+                "%s%" PRIu64 ".%09" PRIu64,
+                stamp_ns < 0 ? "-" : "",
+                magnitude / unit,
+                magnitude % unit);
+  return text;
+}
+
+// A text as one CSV field.
+std::string Quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c == '\n' ? ' ' : c;
+  }
+  return quoted + "\"";
+}
+
+template <typename Matrix>
+std::string UpperTriangle(const Matrix& matrix) {
+  std::string text;
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int col = row; col < matrix.cols(); ++col) text += "," + Short(matrix(row, col));
+  }
+  return text;
+}
+
+std::string UpperTriangleNames(const std::string& prefix, const std::string* names, int size) {
+  std::string text;
+  for (int row = 0; row < size; ++row) {
+    for (int col = row; col < size; ++col) {
+      text += "," + prefix + "_" + names[row] + "_" + names[col];
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string TumRow(const OdometryResult& result) {
+  const Eigen::Vector3d& t = result.T_world_radar.translation;
+  const Eigen::Quaterniond& q = result.T_world_radar.rotation;
+  std::string row = SecondsText(result.stamp_ns);
+  for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+    row += " " + Fixed(value);
+  }
+  return row + "\n";
+}
+
+std::string KittiRow(const OdometryResult& result) {
+  const Eigen::Matrix3d rotation = result.T_world_radar.RotationMatrix();
+  std::string text;
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) text += Fixed(rotation(row, col)) + " ";
+    text += Fixed(result.T_world_radar.translation[row]) + (row < 2 ? " " : "\n");
+  }
+  return text;
+}
+
+std::string ScansHeader() {
+  const std::string axes[] = {"x", "y", "z"};
+  const std::string pose[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
+  return "index,stamp_ns,radar,status,reason,keyframe,degenerate,returns,kept,gaussians,pairs,"
+         "iterations,cost,ego_valid,ego_reason,ego_inliers,ego_returns,ego_rms,vx,vy,vz" +
+         UpperTriangleNames("v_cov", axes, 3) + UpperTriangleNames("pose_cov", pose, 6) + "\n";
+}
+
+std::string ScansRow(const OdometryResult& result, int radar) {
+  const EgoVelocity& ego = result.ego_velocity;
+  std::string row;
+  const auto add = [&row](const std::string& field) { row += "," + field; };
+  add(std::to_string(result.stamp_ns));
+  add(std::to_string(radar));
+  add(ToString(result.status));
+  add(Quoted(result.reason));
+  add(result.is_keyframe ? "1" : "0");
+  add(result.degenerate ? "1" : "0");
+  for (const int count : {result.num_returns,
+                          result.num_kept,
+                          result.num_gaussians,
+                          result.num_pairs,
+                          result.num_iterations}) {
+    add(std::to_string(count));
+  }
+  add(Short(result.cost));
+  add(ego.valid ? "1" : "0");
+  add(Quoted(ego.reason));
+  add(std::to_string(ego.num_inliers));
+  add(std::to_string(ego.num_returns));
+  add(Short(ego.residual_rms));
+  for (int axis = 0; axis < 3; ++axis) add(Short(ego.v_radar[axis]));
+  return std::to_string(result.index) + row + UpperTriangle(ego.covariance) +
+         UpperTriangle(result.covariance) + "\n";
+}
+
+std::string TimingHeader() {
+  return "index,read_ms,preprocessing_ms,ego_velocity_ms,pair_search_ms,registration_ms,submap_ms,"
+         "odometry_ms,total_ms\n";
+}
+
+std::string TimingRow(const OdometryResult& result, double read_ms) {
+  const OdometryResult::Times& times = result.times_ms;
+  std::string row = std::to_string(result.index);
+  for (const double value : {read_ms,
+                             times.preprocessing,
+                             times.ego_velocity,
+                             times.pair_search,
+                             times.registration,
+                             times.submap,
+                             times.total,
+                             read_ms + times.total}) {
+    row += "," + Milliseconds(value);
+  }
+  return row + "\n";
+}
+
+}  // namespace radive

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radive/config/run_config.h"
+#include "radive/odometry/odometry_result.h"
+
+namespace radive {
+
+// Counts of a run and what is worth telling about it; becomes run.json. Its size does not grow
+// with the drive, but for four bytes a scan that the 95th percentile needs.
+class RunReport {
+ public:
+  void AddScan(const OdometryResult& result, double read_ms);
+
+  // Remarks about the data. Only the first ones are kept, all are counted.
+  void AddWarning(const std::string& warning);
+  void AddNote(const std::string& note);
+
+  int num_scans() const { return static_cast<int>(odometry_ms_.size()); }
+  int num_with_status(OdometryResult::Status status) const;
+
+  // The facts that the loop does not count.
+  struct Facts {
+    std::string version;
+    std::string command_line;
+    std::string input;
+    std::string source;  // its description
+    int start = 0;
+    bool interrupted = false;
+    std::string error;  // why the run ended early; empty when it did not
+    double wall_seconds = 0.0;
+  };
+  std::string ToJson(const RunConfig& config, const Facts& facts) const;
+
+ private:
+  std::map<std::string, int> statuses_;
+  std::map<std::string, std::map<std::string, int>> reasons_;  // status -> reason -> scans
+  std::size_t num_reasons_ = 0;
+  std::vector<std::string> warnings_;
+  int num_warnings_ = 0;
+  std::vector<std::string> notes_;
+  std::vector<float> odometry_ms_;
+  double read_ms_ = 0.0;
+};
+
+}  // namespace radive

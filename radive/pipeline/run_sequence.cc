@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/pipeline/run_sequence.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "radive/config/describe_config.h"
+#include "radive/odometry/odometry.h"
+#include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/result_writer.h"
+#include "radive/pipeline/run_report.h"
+#include "radive/util/progress.h"
+#include "radive/util/stopwatch.h"
+
+namespace radive {
+namespace {
+
+// One run: the loop over the scans, and the files it leaves.
+class SequenceRun {
+ public:
+  SequenceRun(const RunConfig& config, const RunRequest& request, ScanSource* source)
+      : config_(config),
+        request_(request),
+        stored_(source),
+        signed_source_(source, Eigen::Vector3d::UnitX()),
+        source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
+                                                                              : source),
+        odometry_(config.odometry),
+        progress_(stderr,
+                  request.quiet ? Progress::Mode::kQuiet : Progress::ModeFor(stderr),
+                  NumScansToRun()) {}
+
+  RunStatus Run(std::string* error) {
+    if (!writer_.Open(request_.output, error)) return RunStatus::kFailed;
+    progress_.Message(stored_->Description());
+    RunStatus status = SkipStart(error) ? AddScans(error) : RunStatus::kFailed;
+    progress_.Finish();
+    std::string write_error;
+    if (!WriteFiles(status, *error, &write_error) && status != RunStatus::kFailed) {
+      *error = write_error;
+      status = RunStatus::kFailed;
+    }
+    return status;
+  }
+
+ private:
+  std::optional<int> NumScansToRun() const {
+    std::optional<int> total = stored_->NumScans();
+    if (total) total = std::max(0, *total - request_.start);
+    if (request_.num_frames)
+      total = std::min(total.value_or(*request_.num_frames), *request_.num_frames);
+    return total;
+  }
+
+  bool IsStopped() const { return request_.stop != nullptr && request_.stop->load(); }
+
+  bool SkipStart(std::string* error) {
+    RadarScan scan;
+    for (int i = 0; i < request_.start && !IsStopped(); ++i) {
+      const ScanSource::Status status = stored_->Next(&scan);
+      stored_->TakeWarnings();
+      if (status == ScanSource::Status::kError) {
+        *error = stored_->error();
+        return false;
+      }
+      if (status == ScanSource::Status::kEnd) {
+        *error = request_.input + ": has " + std::to_string(i) + " scans, so none is left after " +
+                 "leaving out the first " + std::to_string(request_.start);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  RunStatus AddScans(std::string* error) {
+    RadarScan scan;
+    while (!request_.num_frames || report_.num_scans() < *request_.num_frames) {
+      if (IsStopped()) return RunStatus::kInterrupted;
+      const Stopwatch read_time;
+      const ScanSource::Status status = source_->Next(&scan);
+      const ScanInfo info = {scan.radar, read_time.Milliseconds()};
+      TellAboutSource();
+      if (status == ScanSource::Status::kEnd) break;
+      if (status == ScanSource::Status::kError) {
+        *error = source_->error();
+        return RunStatus::kFailed;
+      }
+      const OdometryResult result = odometry_.AddScan(scan);
+      for (const std::string& note : odometry_.TakeNotes()) Note(note);
+      report_.AddScan(result, info.read_ms);
+      if (!writer_.AddScan(info, result, error)) return RunStatus::kFailed;
+      progress_.Update(report_.num_scans());
+    }
+    return RunStatus::kDone;
+  }
+
+  void Note(const std::string& note) {
+    report_.AddNote(note);
+    progress_.Message(note);
+  }
+
+  void Warn(const std::string& warning) {
+    report_.AddWarning(warning);
+    progress_.Message("warning: " + warning);
+  }
+
+  void TellAboutSource() {
+    if (!signed_source_.evidence().empty() && !has_told_sign_) {
+      has_told_sign_ = true;
+      if (signed_source_.is_decided()) {
+        Note(signed_source_.evidence());
+      } else {
+        Warn(signed_source_.evidence() + "; set input.doppler_sign to be sure");
+      }
+    }
+    for (const std::string& warning : source_->TakeWarnings()) Warn(warning);
+  }
+
+  // False when a file could not be written; the others are written all the same, run.json last.
+  bool WriteFiles(RunStatus status, const std::string& run_error, std::string* error) {
+    bool ok = writer_.Finish(error);
+    std::string file_error;
+    const auto keep_first = [&](bool written) {
+      if (!written && ok) *error = file_error;
+      ok = ok && written;
+    };
+    if (config_.output.map == OutputOptions::Map::kPoints) {
+      keep_first(writer_.WriteMap(ThinPoints(odometry_.MapPoints(), config_.output.map_resolution),
+                                  &file_error));
+    } else {
+      writer_.RemoveEarlier("map.ply");
+    }
+    keep_first(writer_.WriteText("config.yaml", EffectiveConfig(config_), &file_error));
+    RunReport::Facts facts;
+    facts.version = request_.version;
+    facts.command_line = request_.command_line;
+    facts.input = request_.input;
+    facts.source = stored_->Description();
+    facts.start = request_.start;
+    facts.interrupted = status == RunStatus::kInterrupted;
+    facts.error = run_error.empty() && !ok ? *error : run_error;
+    facts.wall_seconds = wall_time_.Milliseconds() / 1000.0;
+    keep_first(writer_.WriteText("run.json", report_.ToJson(config_, facts), &file_error));
+    return ok;
+  }
+
+  const RunConfig& config_;
+  const RunRequest& request_;
+  const Stopwatch wall_time_;
+  ScanSource* const stored_;
+  DopplerSignSource signed_source_;
+  ScanSource* const source_;
+  Odometry odometry_;
+  ResultWriter writer_;
+  RunReport report_;
+  Progress progress_;
+  bool has_told_sign_ = false;
+};
+
+}  // namespace
+
+RunStatus RunSequence(const RunConfig& config,
+                      const RunRequest& request,
+                      ScanSource* source,
+                      std::string* error) {
+  error->clear();
+  if (!config.IsValid(error)) return RunStatus::kFailed;
+  SequenceRun run(config, request, source);
+  return run.Run(error);
+}
+
+}  // namespace radive
