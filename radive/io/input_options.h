@@ -10,30 +10,41 @@
 
 namespace radive {
 
-// STAND-IN until the branch `sources` is merged.
+// How the files of a drive are to be read.
 struct InputOptions {
-  enum class Format { kRaw, kHercules, kRadarScenes };
+  enum class Format {
+    kRaw,         // a file of float32 records a scan
+    kHercules,    // HeRCULES, Continental ARS548: a file of 29-byte records a scan
+    kRadarScenes  // a table of scans and a file of points a radar
+  };
   enum class DopplerSign { kAuto, kPlus, kMinus };
+
   Format format = Format::kRaw;
+
+  // Columns of raw records, see ParseRawLayout() in raw_layout.h.
   std::string layout = "xyz3";
+
+  // Folder with the scan files, relative to the input; empty: found in the usual places.
   std::string folder;
+
+  // Scans a second [Hz] where the data have no stamps: scan k gets the stamp k / rate.
   double rate = 10.0;
+
+  // Which radar of the vehicle, for data with several: a number from 1, or "all". Those of
+  // RadarScenes that look ahead are 2 and 3.
   std::string radar = "2";
+
+  // What stored Doppler values are multiplied with to become range rates (positive receding).
   DopplerSign doppler_sign = DopplerSign::kAuto;
+
+  // The raw records are of a sensor without elevation: z is set to 0.
   bool planar = false;
 
-  std::vector<OptionField> Fields() {
-    return {
-        {"format", MakeChoice(&format, {"raw", "hercules", "radarscenes"}), "-", "Kind of files."},
-        {"layout", &layout, "-", "Columns of raw records."},
-        {"folder", &folder, "-", "Folder with the scan files."},
-        OptionField{"rate", &rate, "Hz", "Scans a second."}.Above(0.0).AtMost(1e6),
-        {"radar", &radar, "-", "Which radar of the vehicle."},
-        {"doppler_sign", MakeChoice(&doppler_sign, {"auto", "+1", "-1"}), "-", "Doppler factor."},
-        {"planar", &planar, "-", "No elevation."},
-    };
-  }
-  bool IsValid(std::string* error) const { return CheckOptions("input", *this, error); }
+  // Sign that readers apply. Auto reads as stored: what decides it looks at the scans first.
+  double FixedDopplerSign() const { return doppler_sign == DopplerSign::kMinus ? -1.0 : 1.0; }
+
+  std::vector<OptionField> Fields();
+  bool IsValid(std::string* error) const;
 };
 
 }  // namespace radive

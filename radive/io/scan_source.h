@@ -32,6 +32,19 @@ class ScanSource {
 
   virtual Status Next(RadarScan* scan) = 0;
 
+  // Passes over the next `count` scans, as if they had been read; stamps and numbering of the
+  // scans behind them stay those of the whole drive. kScan: all were passed over (the next one may
+  // be the end); kEnd: the drive was over before; kError: as Next(). Sources that can seek do not
+  // read the scans, so their warnings are not raised either.
+  virtual Status Skip(int count) {
+    RadarScan dropped;
+    for (int i = 0; i < count; ++i) {
+      const Status status = Next(&dropped);
+      if (status != Status::kScan) return status;
+    }
+    return Status::kScan;
+  }
+
   // What the source reads, for the log: "raw float32 scans (xyz3), 396 files".
   virtual std::string Description() const = 0;
 

@@ -57,19 +57,18 @@ class SequenceRun {
   bool IsStopped() const { return request_.stop != nullptr && request_.stop->load(); }
 
   bool SkipStart(std::string* error) {
-    RadarScan scan;
-    for (int i = 0; i < request_.start && !IsStopped(); ++i) {
-      const ScanSource::Status status = stored_->Next(&scan);
-      stored_->TakeWarnings();
-      if (status == ScanSource::Status::kError) {
-        *error = stored_->error();
-        return false;
-      }
-      if (status == ScanSource::Status::kEnd) {
-        *error = request_.input + ": has " + std::to_string(i) + " scans, so none is left after " +
-                 "leaving out the first " + std::to_string(request_.start);
-        return false;
-      }
+    if (request_.start == 0) return true;
+    const ScanSource::Status status = stored_->Skip(request_.start);
+    if (status == ScanSource::Status::kError) {
+      *error = stored_->error();
+      return false;
+    }
+    const std::optional<int> total = stored_->NumScans();
+    if (status == ScanSource::Status::kEnd || (total && request_.start >= *total)) {
+      *error = request_.input + ": no scan is left after leaving out the first " +
+               std::to_string(request_.start) +
+               (total ? " of " + std::to_string(*total) : std::string());
+      return false;
     }
     return true;
   }

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/radarscenes_source.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+#include <system_error>
+
+#include "radive/io/record_file.h"
+#include "radive/io/scan_folder.h"
+#include "radive/io/stamp_text.h"
+#include "radive/io/text_lines.h"
+
+namespace radive {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kRowSize = 20;
+
+enum Column { kTime, kFirstPoint, kNumPoints, kNumColumns };
+constexpr std::array<std::string_view, kNumColumns> kColumnNames = {
+    "timestamp_rad", "first_point", "num_points"};
+
+// The cells of a line at the given positions; false when the line ends before one of them.
+bool TakeCells(std::string_view line,
+               const std::array<int, kNumColumns>& positions,
+               std::array<std::string_view, kNumColumns>* cells) {
+  int num_found = 0;
+  for (int position = 0; num_found < kNumColumns; ++position) {
+    const std::size_t comma = line.find(',');
+    for (std::size_t c = 0; c < kNumColumns; ++c) {
+      if (positions[c] != position) continue;
+      (*cells)[c] = TrimBlanks(line.substr(0, comma));
+      ++num_found;
+    }
+    if (comma == std::string_view::npos) break;
+    line.remove_prefix(comma + 1);
+  }
+  return num_found == kNumColumns;
+}
+
+// Position of each column in the line of names; false when one is absent or there twice.
+bool FindColumns(std::string_view header, std::array<int, kNumColumns>* positions) {
+  positions->fill(-1);
+  for (int position = 0;; ++position) {
+    const std::size_t comma = header.find(',');
+    const std::string_view name = TrimBlanks(header.substr(0, comma));
+    for (std::size_t c = 0; c < kNumColumns; ++c) {
+      if (name != kColumnNames[c]) continue;
+      if ((*positions)[c] >= 0) return false;
+      (*positions)[c] = position;
+    }
+    if (comma == std::string_view::npos) break;
+    header.remove_prefix(comma + 1);
+  }
+  return *std::min_element(positions->begin(), positions->end()) >= 0;
+}
+
+// "radar1, radar3": the radars that have a table in `folder`.
+std::string RadarsIn(const fs::path& folder) {
+  std::string found;
+  for (int k = 1; k <= 99; ++k) {
+    const std::string name = "radar" + std::to_string(k);
+    std::error_code ignored;
+    if (!fs::exists(folder / (name + "_scans.csv"), ignored)) continue;
+    found += (found.empty() ? "" : ", ") + name;
+  }
+  return found.empty() ? "none" : found;
+}
+
+}  // namespace
+
+// The file of points, open, read by ranges of rows.
+class RadarScenesSource::PointFile {
+ public:
+  // Null when the file cannot be opened, with the reason in `error`.
+  static std::unique_ptr<PointFile> Open(const fs::path& path, std::string* error) {
+    std::error_code failure;
+    const std::uint64_t size = fs::file_size(path, failure);
+    std::unique_ptr<PointFile> points(new PointFile(path, size));
+    if (!failure && points->file_ == nullptr) failure = {errno, std::generic_category()};
+    if (failure) {
+      *error = path.string() + ": cannot be opened (" + failure.message() +
+               "), expected the points of the radar, rows of 5 float32";
+      return nullptr;
+    }
+    if (IsLfsPointer(path, error)) return nullptr;
+    return points;
+  }
+
+  ~PointFile() {
+    if (file_ != nullptr) std::fclose(file_);
+  }
+
+  // Rows of the file; warns when its size is no multiple of a row.
+  std::uint64_t CountRows(std::vector<std::string>* warnings) const {
+    return CountRecords(path_, size_, kRowSize, "row of 5 float32", warnings);
+  }
+
+  // Reads the bytes of rows [first, first + count), which the file must have, into `rows`. False
+  // when the file has changed since it was opened.
+  bool Read(std::uint64_t first, std::uint64_t count, std::vector<char>* rows) {
+    rows->resize(static_cast<std::size_t>(count * kRowSize));
+    return fseeko(file_, static_cast<off_t>(first * kRowSize), SEEK_SET) == 0 &&
+           std::fread(rows->data(), 1, rows->size(), file_) == rows->size();
+  }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  PointFile(const fs::path& path, std::uint64_t size)
+      : path_(path), size_(size), file_(std::fopen(path.c_str(), "rb")) {}
+  PointFile(const PointFile&) = delete;
+  PointFile& operator=(const PointFile&) = delete;
+
+  const fs::path path_;
+  const std::uint64_t size_;  // [bytes]
+  std::FILE* const file_;
+};
+
+RadarScenesSource::RadarScenesSource() = default;
+RadarScenesSource::~RadarScenesSource() = default;
+
+std::unique_ptr<RadarScenesSource> RadarScenesSource::Open(const fs::path& path,
+                                                           const InputOptions& options,
+                                                           std::string* error) {
+  if (options.radar == "all") {
+    *error = "input.radar: all radars together are not supported yet, give the number of one";
+    return nullptr;
+  }
+  const std::optional<std::int64_t> radar = ParseInteger(options.radar);
+  CHECK(radar) << "input options were not checked: radar " << options.radar;
+  const fs::path folder = options.folder.empty() ? path : path / options.folder;
+  if (!CheckIsFolder(folder, error)) return nullptr;
+
+  std::unique_ptr<RadarScenesSource> source(new RadarScenesSource());
+  source->radar_ = static_cast<int>(*radar);
+  source->doppler_sign_ = options.FixedDopplerSign();
+  const std::string name = "radar" + std::to_string(source->radar_);
+  source->table_path_ = folder / (name + "_scans.csv");
+  std::error_code ignored;
+  if (!fs::exists(source->table_path_, ignored)) {
+    *error = source->table_path_.string() + ": does not exist, expected the scans of " + name +
+             " (input.radar); radars found in the folder: " + RadarsIn(folder);
+    return nullptr;
+  }
+  if (!source->ReadTable(error)) return nullptr;
+  source->points_ = PointFile::Open(folder / (name + "_points.bin"), error);
+  if (source->points_ == nullptr) return nullptr;
+  const std::uint64_t num_rows = source->points_->CountRows(&source->warnings_);
+  if (!source->CheckRows(num_rows, error)) return nullptr;
+  return source;
+}
+
+bool RadarScenesSource::ReadTable(std::string* error) {
+  std::string text;
+  if (!ReadWholeFile(table_path_, &text, error)) return false;
+  TextLines lines(text);
+  std::string_view line;
+  std::array<int, kNumColumns> positions;
+  if (!lines.Next(&line) || !FindColumns(line, &positions)) {
+    *error = table_path_.string() + ":1: expected the names of the columns, among them once each " +
+             "timestamp_rad, first_point and num_points, found " + Quoted(line);
+    return false;
+  }
+  while (lines.Next(&line)) {
+    if (TrimBlanks(line).empty()) continue;
+    std::array<std::string_view, kNumColumns> cells;
+    const bool complete = TakeCells(line, positions, &cells);
+    const auto stamp = complete ? ParseSeconds(cells[kTime]) : std::nullopt;
+    const auto first = complete ? ParseInteger(cells[kFirstPoint]) : std::nullopt;
+    const auto count = complete ? ParseInteger(cells[kNumPoints]) : std::nullopt;
+    if (!stamp || !first || !count || *first < 0 || *count < 0) {
+      *error = table_path_.string() + ":" + std::to_string(lines.number()) +
+               ": expected seconds in timestamp_rad and whole numbers from 0 in first_point and " +
+               "num_points, found " + Quoted(line);
+      return false;
+    }
+    entries_.push_back({*stamp,
+                        static_cast<std::uint64_t>(*first),
+                        static_cast<std::uint64_t>(*count),
+                        lines.number()});
+  }
+  if (!entries_.empty()) return true;
+  *error = table_path_.string() +
+           ": expected a line a scan after the names of the columns, found "
+           "none";
+  return false;
+}
+
+bool RadarScenesSource::CheckRows(std::uint64_t num_rows, std::string* error) const {
+  for (const Entry& entry : entries_) {
+    if (entry.num_points <= num_rows && entry.first_point <= num_rows - entry.num_points) continue;
+    *error = table_path_.string() + ":" + std::to_string(entry.line) + ": first_point " +
+             std::to_string(entry.first_point) + " and num_points " +
+             std::to_string(entry.num_points) + " reach beyond the " + std::to_string(num_rows) +
+             " rows of " + points_->path().string();
+    return false;
+  }
+  return true;
+}
+
+ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
+  if (next_ == entries_.size()) return Status::kEnd;
+  const Entry& entry = entries_[next_++];
+  scan->stamp_ns = entry.stamp_ns;
+  scan->radar = radar_;
+  scan->has_doppler = true;
+  scan->is_planar = true;
+  scan->returns.clear();
+  scan->place = table_path_.string() + ":" + std::to_string(entry.line);
+
+  if (entry.num_points == 0) return Status::kScan;
+  if (!points_->Read(entry.first_point, entry.num_points, &rows_)) {
+    warnings_.push_back(scan->place + ": the rows of " + points_->path().string() +
+                        " can no longer be read; taken as an empty scan");
+    return Status::kScan;
+  }
+  scan->returns.reserve(static_cast<std::size_t>(entry.num_points));
+  for (std::uint64_t i = 0; i < entry.num_points; ++i) {
+    const char* const row = rows_.data() + i * kRowSize;
+    const double range = static_cast<double>(ReadFloat32(row));
+    const double azimuth = static_cast<double>(ReadFloat32(row + 4));
+    RadarReturn& added = scan->returns.emplace_back();
+    added.position = {range * std::cos(azimuth), range * std::sin(azimuth), 0.0};
+    added.doppler = doppler_sign_ * static_cast<double>(ReadFloat32(row + 8));
+    added.power = static_cast<double>(ReadFloat32(row + 12));
+  }
+  return Status::kScan;
+}
+
+ScanSource::Status RadarScenesSource::Skip(int count) {
+  const std::size_t left = entries_.size() - next_;
+  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
+  next_ += std::min(left, wanted);
+  return wanted <= left ? Status::kScan : Status::kEnd;
+}
+
+std::string RadarScenesSource::Description() const {
+  return "RadarScenes radar " + std::to_string(radar_) + ", " + std::to_string(entries_.size()) +
+         " scans in " + table_path_.string();
+}
+
+std::optional<int> RadarScenesSource::NumScans() const { return static_cast<int>(entries_.size()); }
+
+}  // namespace radive

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace radive {
+
+// Reads a whole small file (at most 1 GiB, far more than any scan) into `content`. False, with the
+// file and the reason in `error`, when it cannot be read, is no regular file, or is the small text
+// that Git LFS leaves in place of data that were never fetched.
+bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std::string* error);
+
+// True when the file starts like the text of a Git-LFS pointer, which it then says in `error`.
+bool IsLfsPointer(const std::filesystem::path& path, std::string* error);
+
+// Number of whole records of `record_size` bytes in a file of `file_size` bytes. Bytes behind the
+// last one are ignored, with a line in `warnings` that calls the records `record_name`.
+std::uint64_t CountRecords(const std::filesystem::path& path,
+                           std::uint64_t file_size,
+                           std::size_t record_size,
+                           const std::string& record_name,
+                           std::vector<std::string>* warnings);
+
+// The little-endian float32 at `bytes`, which need not be aligned, whatever this machine's order.
+inline float ReadFloat32(const char* bytes) {
+  std::uint32_t bits = 0;
+  for (int i = 3; i >= 0; --i) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
+  float value = 0.0F;
+  static_assert(sizeof(value) == sizeof(bits));
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+}  // namespace radive
