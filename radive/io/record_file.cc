@@ -27,6 +27,8 @@ FilePointer OpenFile(const std::filesystem::path& path) {
 
 bool IsLfsPointer(const std::filesystem::path& path, std::string* error) {
   constexpr std::string_view kStart = "version https://git-lfs";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
   const FilePointer file = OpenFile(path);
   std::array<char, kStart.size()> start;
   if (file == nullptr || std::fread(start.data(), 1, start.size(), file.get()) != start.size() ||

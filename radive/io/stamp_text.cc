@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstddef>
 #include <limits>
+#include <system_error>
 
 #include "radive/io/record_file.h"
 #include "radive/io/text_lines.h"
