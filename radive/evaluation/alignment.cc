@@ -36,7 +36,7 @@ std::optional<Alignment> FitSimilarity(const Eigen::Matrix3Xd& reference,
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (svd.singularValues()(1) <= std::numeric_limits<double>::epsilon()) {
-    *error = "alignment needs motion in at least two directions; the " +
+    *error = "alignment needs at least two directions of motion; the " +
              std::to_string(reference.cols()) + " matched positions do not fix a rotation";
     return std::nullopt;
   }

@@ -28,9 +28,7 @@ struct SegmentDrift {
 // Segment errors of the KITTI odometry benchmark: segments of 100, 200, ... 800 m start at every
 // `step`-th matched pose (10 in the benchmark) and end at the first pose that is further along
 // the reference than that; a segment that the reference does not complete is left out.
-// The benchmark's own programs take the angle from the arc cosine of the trace, which on matrices
-// of seven digits comes out up to 0.1 % larger than the angle proper used here. An error when there
-// is none at all. `step` >= 1 (checked).
+// An error when there is none at all. `step` >= 1 (checked).
 std::optional<SegmentDrift> ComputeSegmentDrift(const MatchedPoses& poses,
                                                 int step,
                                                 std::string* error);
