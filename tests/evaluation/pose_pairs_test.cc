@@ -37,7 +37,7 @@ TEST(PosePairs, Frames) {
 }
 
 TEST(PosePairs, MetresOneAfterTheOtherLeaveTheFirstStretchOut) {
-  // Anchors: at 1.5 (walked 1.5), at 2.5 (1.0), at 4.0 (0.5 + 1.0).
+  // Anchors: at 1.5 (walked 1.5), at 2.5 (1.0), at 4.0 (0.5 + 1.0). Excess is not carried over.
   const std::vector<MatrixPose> poses = PosesAlongX({0, 0.5, 1.5, 2.5, 3.0, 4.0, 4.5});
   EXPECT_THAT(Select(poses, 1, DeltaUnit::kMetres, false), ElementsAre(Pair(2, 3), Pair(3, 5)));
 }
@@ -62,8 +62,9 @@ TEST(PosePairs, MetresFollowThePathNotTheBeeline) {
 }
 
 TEST(PosePairs, AnglesOneAfterTheOtherStartAtTheFirstPose) {
-  // Turns of 0.6, 0.6, 0.5, -0.7 rad: sums reach 1 at pose 2 (1.2) and at pose 4 (0.5 + 0.7).
-  const std::vector<MatrixPose> poses = PosesTurned({0, 0.6, 1.2, 1.7, 1.0});
+  // Turns of 0.6, 0.9, 0.6, -0.5 rad: sums reach 1 at pose 2 (1.5) and at pose 4 (0.6 + 0.5); what
+  // the first sum had too much is not carried over.
+  const std::vector<MatrixPose> poses = PosesTurned({0, 0.6, 1.5, 2.1, 1.6});
   EXPECT_THAT(Select(poses, 1, DeltaUnit::kRadians, false), ElementsAre(Pair(0, 2), Pair(2, 4)));
   EXPECT_THAT(Select(poses, Degrees(1.0), DeltaUnit::kDegrees, false),
               ElementsAre(Pair(0, 2), Pair(2, 4)));
