@@ -1,14 +1,84 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
 #include "app_main.h"
+#include "radive/evaluation/evaluate.h"
+#include "radive/evaluation/evaluation_report.h"
+#include "radive/io/trajectory_io.h"
 
 DEFINE_string(reference, "", "Trajectory that counts as true. Required.");
+DEFINE_string(estimate, "", "Trajectory to be judged. Required.");
+DEFINE_string(format, "tum", "tum | kitti | euroc (then the estimate is a TUM file).");
+DEFINE_string(metric, "ape", "ape | rpe | segments (drift over 100 to 800 m, as KITTI has it).");
+DEFINE_string(relation,
+              "trans_part",
+              "trans_part | angle_deg | angle_rad | rot_part | full | point_distance | "
+              "point_distance_ratio: what of a pose difference counts.");
+DEFINE_string(align, "none", "none | se3 | sim3 | scale_only | origin.");
+DEFINE_int32(align_first, 0, "Align with the first N matched poses; 0: all.");
+DEFINE_string(plane, "none", "none | xy | xz | yz: project both trajectories after the alignment.");
+DEFINE_double(delta, 1.0, "Distance of the two poses of an rpe pair, in --delta_unit.");
+DEFINE_string(delta_unit, "f", "f (frames) | m (metres of path) | deg | rad.");
+DEFINE_bool(all_pairs, false, "Every pose starts an rpe pair, instead of one after the other.");
+DEFINE_bool(pairs_from_reference, false, "Choose rpe pairs on the reference, not the estimate.");
+DEFINE_double(max_time_difference, 0.01, "Largest difference of matched stamps [s].");
+DEFINE_bool(json, false, "Print one JSON object instead of a table.");
+
+namespace {
+
+constexpr char kUsage[] =
+    "Errors of an estimated trajectory against a reference, defined as in evo.\n"
+    "  radive_evaluate --reference=GROUND_TRUTH --estimate=RESULTS/trajectory_tum.txt --align=se3\n"
+    "  radive_evaluate --reference=R --estimate=E --metric=rpe --delta=100 --delta_unit=m";
+
+bool ReadFlags(radive::EvaluationOptions* options, std::string* error) {
+  options->max_time_difference = FLAGS_max_time_difference;
+  options->align_first = FLAGS_align_first;
+  options->pairs.delta = FLAGS_delta;
+  options->pairs.all_pairs = FLAGS_all_pairs;
+  options->pairs_from_reference = FLAGS_pairs_from_reference;
+  if (FLAGS_reference.empty() || FLAGS_estimate.empty()) {
+    *error = "--reference and --estimate are required; see --help";
+    return false;
+  }
+  return options->SetWord("format", FLAGS_format, error) &&
+         options->SetWord("metric", FLAGS_metric, error) &&
+         options->SetWord("relation", FLAGS_relation, error) &&
+         options->SetWord("align", FLAGS_align, error) &&
+         options->SetWord("plane", FLAGS_plane, error) &&
+         options->SetWord("delta_unit", FLAGS_delta_unit, error);
+}
+
+bool Run(std::string* error) {
+  radive::EvaluationOptions options;
+  if (!ReadFlags(&options, error)) return false;
+  const auto estimate_format = options.format == radive::TrajectoryFormat::kEuroc
+                                   ? radive::TrajectoryFormat::kTum
+                                   : options.format;
+  const auto reference = radive::ReadTrajectory(FLAGS_reference, options.format, error);
+  if (!reference) return false;
+  const auto estimate = radive::ReadTrajectory(FLAGS_estimate, estimate_format, error);
+  if (!estimate) return false;
+  const auto result = radive::Evaluate(*reference, *estimate, options, error);
+  if (!result) return false;
+  const std::string report = FLAGS_json ? radive::EvaluationJson(*result, options)
+                                        : radive::EvaluationTable(*result, options);
+  std::fputs(report.c_str(), stdout);
+  return true;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
-  radive::InitApp(&argc,
-                  &argv,
-                  "Errors of an estimated trajectory.\n"
-                  "  radive_evaluate --reference=REFERENCE --estimate=ESTIMATE");
+  radive::InitApp(&argc, &argv, kUsage);
+  std::string error;
+  if (!Run(&error)) {
+    std::fprintf(stderr, "radive_evaluate: %s\n", error.c_str());
+    return EXIT_FAILURE;
+  }
   return EXIT_SUCCESS;
 }

@@ -4,7 +4,7 @@
 #include "radive/io/input_options.h"
 
 #include "radive/io/raw_layout.h"
-#include "radive/io/stamp_text.h"
+#include "radive/io/scan_stamps.h"
 
 namespace radive {
 

@@ -15,6 +15,7 @@
 
 #include "radive/io/record_file.h"
 #include "radive/io/scan_folder.h"
+#include "radive/io/scan_stamps.h"
 #include "radive/io/stamp_text.h"
 #include "radive/io/text_lines.h"
 
@@ -175,7 +176,7 @@ bool RadarScenesSource::ReadTable(std::string* error) {
     if (TrimBlanks(line).empty()) continue;
     std::array<std::string_view, kNumColumns> cells;
     const bool complete = TakeCells(line, positions, &cells);
-    const auto stamp = complete ? ParseSeconds(cells[kTime]) : std::nullopt;
+    const auto stamp = complete ? ParseStamp(cells[kTime]) : std::nullopt;
     const auto first = complete ? ParseInteger(cells[kFirstPoint]) : std::nullopt;
     const auto count = complete ? ParseInteger(cells[kNumPoints]) : std::nullopt;
     if (!stamp || !first || !count || *first < 0 || *count < 0) {

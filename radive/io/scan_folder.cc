@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "radive/io/record_file.h"
-#include "radive/io/stamp_text.h"
+#include "radive/io/scan_stamps.h"
 #include "radive/util/natural_order.h"
 
 namespace radive {

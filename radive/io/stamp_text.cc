@@ -4,129 +4,103 @@
 #include "radive/io/stamp_text.h"
 
 #include <charconv>
-#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
-#include <system_error>
-
-#include "radive/io/record_file.h"
-#include "radive/io/text_lines.h"
 
 namespace radive {
 namespace {
 
-constexpr int kDecimalsOfNanoseconds = 9;
+bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-// Splits "12.5e-3" into sign, digits "125" and the number of digits before the point (-1 here:
-// 0.0125). False when it is no decimal number.
-bool SplitDecimal(std::string_view text, bool* negative, std::string* digits, std::int64_t* point) {
-  *negative = !text.empty() && text.front() == '-';
-  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
-  std::int64_t exponent = 0;
-  if (const std::size_t e = text.find_first_of("eE"); e != std::string_view::npos) {
-    std::string_view exponent_text = text.substr(e + 1);
-    if (!exponent_text.empty() && exponent_text.front() == '+') {
-      exponent_text.remove_prefix(1);
-      if (!exponent_text.empty() && exponent_text.front() == '-') return false;
+// digits * 10^exponent, the digits without sign and point.
+struct Decimal {
+  bool negative = false;
+  std::string digits;
+  int exponent = 0;
+};
+
+std::optional<Decimal> ParseDecimal(std::string_view text) {
+  Decimal decimal;
+  std::size_t i = 0;
+  if (i < text.size() && (text[i] == '+' || text[i] == '-')) decimal.negative = text[i++] == '-';
+  bool after_point = false;
+  for (; i < text.size() && (IsDigit(text[i]) || (text[i] == '.' && !after_point)); ++i) {
+    if (text[i] == '.') {
+      after_point = true;
+      continue;
     }
-    const std::optional<std::int64_t> parsed = ParseInteger(exponent_text);
-    // Far beyond any time; the limit keeps the padding with zeros below short.
-    if (!parsed || *parsed > 99 || *parsed < -99) return false;
-    exponent = *parsed;
-    text = text.substr(0, e);
+    decimal.digits += text[i];
+    if (after_point) --decimal.exponent;
   }
-  std::optional<std::int64_t> before_point;
-  digits->clear();
-  for (const char c : text) {
-    if (c == '.' && !before_point) {
-      before_point = static_cast<std::int64_t>(digits->size());
-    } else if (c >= '0' && c <= '9') {
-      *digits += c;
-    } else {
-      return false;
-    }
-  }
-  *point = before_point.value_or(static_cast<std::int64_t>(digits->size())) + exponent;
-  return !digits->empty();
+  if (decimal.digits.empty()) return std::nullopt;
+  if (i == text.size()) return decimal;
+
+  if (text[i] != 'e' && text[i] != 'E') return std::nullopt;
+  ++i;
+  if (i + 1 < text.size() && text[i] == '+' && IsDigit(text[i + 1])) ++i;
+  int exponent = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, code] = std::from_chars(text.data() + i, end, exponent);
+  if (code != std::errc() || rest != end || std::abs(exponent) > 1000) return std::nullopt;
+  decimal.exponent += exponent;
+  return decimal;
 }
 
 }  // namespace
 
-std::optional<std::int64_t> ParseInteger(std::string_view text) {
-  std::int64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, value);
-  if (text.empty() || failure != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
+std::optional<std::int64_t> ParseStamp(std::string_view text, int unit_exponent) {
+  std::optional<Decimal> decimal = ParseDecimal(text);
+  if (!decimal) return std::nullopt;
 
-std::optional<std::int64_t> ParseSeconds(std::string_view text) {
-  bool negative = false;
-  std::string digits;
-  std::int64_t point = 0;
-  if (!SplitDecimal(text, &negative, &digits, &point)) return std::nullopt;
-
-  // `point` now becomes the number of digits of the value in nanoseconds.
-  point += kDecimalsOfNanoseconds;
-  if (point < 0) return 0;
-  const std::size_t whole = static_cast<std::size_t>(point);
-  const bool round_up = whole < digits.size() && digits[whole] >= '5';
-  digits.resize(whole, '0');
-  const std::optional<std::int64_t> value = ParseInteger(digits.empty() ? "0" : digits);
-  if (!value || *value == std::numeric_limits<std::int64_t>::max()) return std::nullopt;
-  const std::int64_t magnitude = *value + (round_up ? 1 : 0);
-  return negative ? -magnitude : magnitude;
-}
-
-bool ReadStampFile(const std::filesystem::path& path,
-                   std::vector<std::int64_t>* stamps_ns,
-                   std::string* error) {
-  std::string text;
-  if (!ReadWholeFile(path, &text, error)) return false;
-  struct Entry {
-    int line;
-    std::string_view text;
-  };
-  std::vector<Entry> entries;
-  bool are_seconds = false;
-  TextLines lines(text);
-  for (std::string_view line; lines.Next(&line);) {
-    line = TrimBlanks(line);
-    if (line.empty() || line.front() == '#') continue;
-    are_seconds = are_seconds || line.find_first_of(".eE") != std::string_view::npos;
-    entries.push_back({lines.number(), line});
+  // Move the point so that the digits count nanoseconds, then cut or fill.
+  const int shift = decimal->exponent + unit_exponent + 9;
+  std::string& digits = decimal->digits;
+  digits.erase(0, digits.find_first_not_of('0'));
+  if (digits.empty()) return 0;
+  bool round_up = false;
+  if (shift >= 0) {
+    if (digits.size() + static_cast<std::size_t>(shift) > 19) return std::nullopt;
+    digits.append(static_cast<std::size_t>(shift), '0');
+  } else {
+    const std::size_t cut = static_cast<std::size_t>(-shift);
+    if (cut > digits.size()) return 0;
+    round_up = digits[digits.size() - cut] >= '5';
+    digits.resize(digits.size() - cut);
   }
-  stamps_ns->clear();
-  for (const Entry& entry : entries) {
-    const std::optional<std::int64_t> stamp =
-        are_seconds ? ParseSeconds(entry.text) : ParseInteger(entry.text);
-    if (!stamp) {
-      *error = path.string() + ":" + std::to_string(entry.line) +
-               ": expected one stamp, integer nanoseconds or decimal seconds, found " +
-               Quoted(entry.text);
-      return false;
-    }
-    stamps_ns->push_back(*stamp);
+
+  std::int64_t nanoseconds = 0;
+  if (!digits.empty()) {
+    const char* end = digits.data() + digits.size();
+    const auto [rest, code] = std::from_chars(digits.data(), end, nanoseconds);
+    if (code != std::errc() || rest != end) return std::nullopt;
+  }
+  if (round_up) {
+    if (nanoseconds == std::numeric_limits<std::int64_t>::max()) return std::nullopt;
+    ++nanoseconds;
+  }
+  return decimal->negative ? -nanoseconds : nanoseconds;
+}
+
+bool LooksLikeNanoseconds(std::string_view text) {
+  if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
+  if (text.size() <= 15) return false;
+  for (const char c : text) {
+    if (!IsDigit(c)) return false;
   }
   return true;
 }
 
-std::optional<std::int64_t> StampOfStem(std::string_view stem) {
-  if (stem.empty() || stem.front() < '1' || stem.front() > '9') return std::nullopt;
-  const std::optional<std::int64_t> value = ParseInteger(stem);
-  if (!value) return std::nullopt;
-  switch (stem.size()) {
-    case 18:
-    case 19:
-      return *value;
-    case 15:
-    case 16:
-      return *value * 1000;
-    case 12:
-    case 13:
-      return *value * 1000000;
-    default:
-      return std::nullopt;
-  }
+std::string FormatStamp(std::int64_t stamp_ns) {
+  // Division truncates towards zero, so the sign is written apart.
+  char text[40];
+  std::snprintf(text,
+                sizeof(text),
+                "%s%lld.%09lld",
+                stamp_ns < 0 ? "-" : "",
+                std::llabs(stamp_ns / 1'000'000'000),
+                std::llabs(stamp_ns % 1'000'000'000));
+  return text;
 }
 
 }  // namespace radive

@@ -4,33 +4,22 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace radive {
 
-// Decimal seconds ("12", "0.145249", "1.5e-1") as nanoseconds. Works on the digits, never through
-// a double, so that a stamp with nine decimals keeps its last one; further decimals are rounded.
-// Nothing when `text` is no such number or does not fit.
-std::optional<std::int64_t> ParseSeconds(std::string_view text);
+// A stamp as written in a file, without the detour over a double that would cost 0.2 us:
+// "1706001762.099999905", "1.706001762099999905e+09", "-0.5". Rounded to the nearest nanosecond,
+// halves away from zero. std::nullopt when `text` is no decimal number or beyond +-292 years.
+// `unit_exponent`: the text counts units of 10^unit_exponent seconds (0: seconds, -9: ns).
+std::optional<std::int64_t> ParseStamp(std::string_view text, int unit_exponent = 0);
 
-// An integer without sign, point or exponent, apart from a leading minus. Nothing otherwise.
-std::optional<std::int64_t> ParseInteger(std::string_view text);
+// True for stamps that must be nanoseconds: more than 15 digits and neither point nor exponent.
+bool LooksLikeNanoseconds(std::string_view text);
 
-// Reads a file with one stamp a line into `stamps_ns` [ns]. Integers are nanoseconds; as soon as
-// one line of the file has a decimal point or an exponent, all lines are seconds. Empty lines and
-// lines that start with # are left out. False, with file, line and expectation in `error`, when the
-// file cannot be read or a line is something else.
-bool ReadStampFile(const std::filesystem::path& path,
-                   std::vector<std::int64_t>* stamps_ns,
-                   std::string* error);
-
-// The time that the name of a scan file stands for: 18 or 19 digits are nanoseconds, 15 or 16
-// microseconds, 12 or 13 milliseconds since an epoch. Nothing for other names, and for numbers with
-// leading zeros, which are positions. `stem` is the name without its extension.
-std::optional<std::int64_t> StampOfStem(std::string_view stem);
+// Seconds with nine decimals: 1706001762099999905 -> "1706001762.099999905".
+std::string FormatStamp(std::int64_t stamp_ns);
 
 }  // namespace radive

@@ -3,13 +3,12 @@
 
 #include "radive/pipeline/result_rows.h"
 
-#include <cinttypes>
 #include <cstdio>
+
+#include "radive/io/stamp_text.h"
 
 namespace radive {
 namespace {
-
-constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 // Fixed decimals; minus zero is written as zero, so that its sign cannot make two rows differ.
 std::string Fixed(double value) {
@@ -28,21 +27,6 @@ std::string Short(double value) {
 std::string Milliseconds(double value) {
   char text[40];
   std::snprintf(text, sizeof(text), "%.4f", value);
-  return text;
-}
-
-// Seconds with all nanoseconds, which a double would lose after some months of epoch.
-std::string SecondsText(std::int64_t stamp_ns) {
-  const std::uint64_t magnitude = stamp_ns < 0 ? 0 - static_cast<std::uint64_t>(stamp_ns)
-                                               : static_cast<std::uint64_t>(stamp_ns);
-  const std::uint64_t unit = kNanosecondsPerSecond;
-  char text[40];
-  std::snprintf(text,
-                sizeof(text),
-                "%s%" PRIu64 ".%09" PRIu64,
-                stamp_ns < 0 ? "-" : "",
-                magnitude / unit,
-                magnitude % unit);
   return text;
 }
 
@@ -81,7 +65,7 @@ std::string UpperTriangleNames(const std::string& prefix, const std::string* nam
 std::string TumRow(const OdometryResult& result) {
   const Eigen::Vector3d& t = result.T_world_radar.translation;
   const Eigen::Quaterniond& q = result.T_world_radar.rotation;
-  std::string row = SecondsText(result.stamp_ns);
+  std::string row = FormatStamp(result.stamp_ns);
   for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
     row += " " + Fixed(value);
   }

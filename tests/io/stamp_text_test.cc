@@ -3,120 +3,71 @@
 
 #include "radive/io/stamp_text.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/io/scan_files.h"
+#include <limits>
 
 namespace radive {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-
-TEST(ParseSeconds, KeepsEveryDigit) {
-  EXPECT_EQ(ParseSeconds("0.145249"), 145249000);
-  EXPECT_EQ(ParseSeconds("12"), 12000000000);
-  EXPECT_EQ(ParseSeconds("12."), 12000000000);
-  EXPECT_EQ(ParseSeconds(".5"), 500000000);
-  EXPECT_EQ(ParseSeconds("-0.25"), -250000000);
-  EXPECT_EQ(ParseSeconds("+0.25"), 250000000);
-  // A double is 2.4e-7 s apart here and would lose the last digits.
-  EXPECT_EQ(ParseSeconds("1693922345.123456789"), 1693922345123456789);
-  EXPECT_EQ(ParseSeconds("9223372036.854775806"), 9223372036854775806);
+TEST(ParseStamp, KeepsEveryNanosecond) {
+  EXPECT_EQ(ParseStamp("1706001762.099999905"), 1706001762099999905);
+  EXPECT_EQ(ParseStamp("1305031102.160407"), 1305031102160407000);
+  EXPECT_EQ(ParseStamp("12"), 12000000000);
+  EXPECT_EQ(ParseStamp("12."), 12000000000);
+  EXPECT_EQ(ParseStamp(".5"), 500000000);
+  EXPECT_EQ(ParseStamp("0"), 0);
+  EXPECT_EQ(ParseStamp("-0.25"), -250000000);
+  EXPECT_EQ(ParseStamp("+0.25"), 250000000);
 }
 
-TEST(ParseSeconds, RoundsBeyondNanoseconds) {
-  EXPECT_EQ(ParseSeconds("0.0000000014"), 1);
-  EXPECT_EQ(ParseSeconds("0.0000000015"), 2);
-  EXPECT_EQ(ParseSeconds("0.9999999999"), 1000000000);
-  EXPECT_EQ(ParseSeconds("0.00000000001"), 0);
+TEST(ParseStamp, ReadsExponents) {
+  EXPECT_EQ(ParseStamp("1.403715529112143517e+09"), 1403715529112143517);
+  EXPECT_EQ(ParseStamp("1.2e9"), 1200000000000000000);
+  EXPECT_EQ(ParseStamp("5E-1"), 500000000);
+  EXPECT_EQ(ParseStamp("1e-400"), 0);
 }
 
-TEST(ParseSeconds, ReadsExponents) {
-  EXPECT_EQ(ParseSeconds("1.452490000000000000e-01"), 145249000);
-  EXPECT_EQ(ParseSeconds("1.5E+2"), 150000000000);
-  EXPECT_EQ(ParseSeconds("5e-10"), 1);
-  EXPECT_EQ(ParseSeconds("4e-10"), 0);
-  EXPECT_EQ(ParseSeconds("3e-99"), 0);
+TEST(ParseStamp, RoundsToTheNearestNanosecond) {
+  EXPECT_EQ(ParseStamp("1.0000000004"), 1000000000);
+  EXPECT_EQ(ParseStamp("1.0000000005"), 1000000001);
+  EXPECT_EQ(ParseStamp("-1.0000000005"), -1000000001);
+  EXPECT_EQ(ParseStamp("0.0000000007"), 1);
+  EXPECT_EQ(ParseStamp("0.00000000007"), 0);
 }
 
-TEST(ParseSeconds, RefusesEverythingElse) {
-  for (const char* text : {"",
-                           ".",
-                           "-",
-                           "1.2.3",
-                           "1,2",
-                           "abc",
-                           "nan",
-                           "inf",
-                           "0x10",
-                           "1e",
-                           "1e+-2",
-                           "e5",
-                           " 1",
-                           "1 2",
-                           "9223372036.854775807",
-                           "1e30",
-                           "1e999999999999"}) {
-    EXPECT_FALSE(ParseSeconds(text)) << text;
+TEST(ParseStamp, ReadsOtherUnits) {
+  EXPECT_EQ(ParseStamp("1403715529107142912", -9), 1403715529107142912);
+  EXPECT_EQ(ParseStamp("1.5", -3), 1500000);
+}
+
+TEST(ParseStamp, RejectsWhatIsNoStamp) {
+  for (const char* text :
+       {"", "-", ".", "abc", "1.2.3", "1e", "1ex", "nan", "inf", "1 2", "0x10"}) {
+    EXPECT_EQ(ParseStamp(text), std::nullopt) << text;
   }
 }
 
-TEST(ParseInteger, RefusesWhatIsNoInteger) {
-  EXPECT_EQ(ParseInteger("-12"), -12);
-  EXPECT_EQ(ParseInteger("9223372036854775807"), 9223372036854775807);
-  for (const char* text : {"", "-", "+1", "1.0", "1e3", "12a", " 1", "9223372036854775808"}) {
-    EXPECT_FALSE(ParseInteger(text)) << text;
-  }
+TEST(ParseStamp, RejectsWhatDoesNotFit) {
+  EXPECT_EQ(ParseStamp("9223372036.854775807"), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(ParseStamp("9223372036.854775808"), std::nullopt);
+  EXPECT_EQ(ParseStamp("9223372036.8547758075"), std::nullopt);
+  EXPECT_EQ(ParseStamp("1e300"), std::nullopt);
 }
 
-TEST(StampOfStem, TellsUnitsByTheNumberOfDigits) {
-  EXPECT_EQ(StampOfStem("1693922345123456789"), 1693922345123456789);
-  EXPECT_EQ(StampOfStem("1693922345123456"), 1693922345123456000);
-  EXPECT_EQ(StampOfStem("1693922345123"), 1693922345123000000);
-  for (const char* text : {"",
-                           "000549",
-                           "0693922345123456789",
-                           "1693922345",
-                           "-169392234512",
-                           "1693922345.12",
-                           "9999999999999999999"}) {
-    EXPECT_FALSE(StampOfStem(text)) << text;
-  }
+TEST(LooksLikeNanoseconds, MoreThanFifteenDigitsAndNothingElse) {
+  EXPECT_TRUE(LooksLikeNanoseconds("1706001762099999905"));
+  EXPECT_TRUE(LooksLikeNanoseconds("1234567890123456"));
+  EXPECT_FALSE(LooksLikeNanoseconds("123456789012345"));
+  EXPECT_FALSE(LooksLikeNanoseconds("1706001762.099999905"));
+  EXPECT_FALSE(LooksLikeNanoseconds("12345678901234567e1"));
 }
 
-class ReadStampFileTest : public ::testing::Test {
- protected:
-  bool Read(const std::string& content) {
-    folder_.Write("times.txt", content);
-    return ReadStampFile(folder_.path() / "times.txt", &stamps_, &error_);
-  }
-  testing::TempFolder folder_;
-  std::vector<std::int64_t> stamps_;
-  std::string error_;
-};
-
-TEST_F(ReadStampFileTest, IntegersAreNanoseconds) {
-  ASSERT_TRUE(Read("1693922345123456789\n0\n-5")) << error_;
-  EXPECT_THAT(stamps_, ElementsAre(1693922345123456789, 0, -5));
-}
-
-TEST_F(ReadStampFileTest, OneDecimalPointMakesAllSeconds) {
-  ASSERT_TRUE(Read("\xEF\xBB\xBF# time\r\n1\r\n\r\n  1.1 \r\n2e0\r\n")) << error_;
-  EXPECT_THAT(stamps_, ElementsAre(1000000000, 1100000000, 2000000000));
-}
-
-TEST_F(ReadStampFileTest, SaysFileAndLineOfWhatItCannotRead) {
-  ASSERT_FALSE(Read("0.1\n# remark\n0.2 0.3\n"));
-  EXPECT_THAT(error_, HasSubstr((folder_.path() / "times.txt:3").string()));
-  EXPECT_THAT(error_, HasSubstr("expected one stamp"));
-  EXPECT_THAT(error_, HasSubstr("'0.2 0.3'"));
-}
-
-TEST_F(ReadStampFileTest, NamesAnUnfetchedFile) {
-  ASSERT_FALSE(Read(testing::LfsPointer()));
-  EXPECT_THAT(error_, HasSubstr("times.txt: a Git-LFS pointer"));
+TEST(FormatStamp, WritesNineDecimals) {
+  EXPECT_EQ(FormatStamp(1706001762099999905), "1706001762.099999905");
+  EXPECT_EQ(FormatStamp(5), "0.000000005");
+  EXPECT_EQ(FormatStamp(-250000000), "-0.250000000");
+  EXPECT_EQ(FormatStamp(-1250000000), "-1.250000000");
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/evaluation/association.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "radive/evaluation/nearest_value.h"
+#include "radive/io/stamp_text.h"
+
+namespace radive {
+namespace {
+
+std::string TimeSpan(const RecordedTrajectory& trajectory) {
+  if (trajectory.empty()) return "is empty";
+  const auto [first, last] =
+      std::minmax_element(trajectory.begin(), trajectory.end(), [](const auto& a, const auto& b) {
+        return a.stamp_ns < b.stamp_ns;
+      });
+  return "spans " + FormatStamp(first->stamp_ns) + " to " + FormatStamp(last->stamp_ns) + " s";
+}
+
+// The stamps of a trajectory in ascending order, and where each stood in the file.
+struct SortedStamps {
+  explicit SortedStamps(const RecordedTrajectory& trajectory) : order(trajectory.size()) {
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return trajectory[a].stamp_s < trajectory[b].stamp_s;
+    });
+    for (const std::size_t i : order) stamps.push_back(trajectory[i].stamp_s);
+  }
+
+  std::vector<std::size_t> order;
+  std::vector<double> stamps;
+};
+
+}  // namespace
+
+std::optional<MatchedPoses> AssociateByStamp(const RecordedTrajectory& reference,
+                                             const RecordedTrajectory& estimate,
+                                             double max_time_difference,
+                                             std::string* error) {
+  const bool estimate_is_short = estimate.size() <= reference.size();
+  const RecordedTrajectory& short_one = estimate_is_short ? estimate : reference;
+  const RecordedTrajectory& long_one = estimate_is_short ? reference : estimate;
+
+  MatchedPoses matched;
+  const SortedStamps sorted(long_one);
+  for (const RecordedPose& pose : short_one) {
+    const std::size_t nearest = NearestAscending(sorted.stamps, 0, pose.stamp_s);
+    if (std::abs(sorted.stamps[nearest] - pose.stamp_s) > max_time_difference) continue;
+    const RecordedPose& partner = long_one[sorted.order[nearest]];
+    matched.reference.push_back(estimate_is_short ? partner.T_world_body : pose.T_world_body);
+    matched.estimate.push_back(estimate_is_short ? pose.T_world_body : partner.T_world_body);
+  }
+  if (matched.reference.empty()) {
+    *error = "no stamps of reference and estimate lie within " +
+             std::to_string(max_time_difference) + " s: the reference " + TimeSpan(reference) +
+             ", the estimate " + TimeSpan(estimate);
+    return std::nullopt;
+  }
+  return matched;
+}
+
+std::optional<MatchedPoses> AssociateByIndex(const RecordedTrajectory& reference,
+                                             const RecordedTrajectory& estimate,
+                                             std::string* error) {
+  if (reference.size() != estimate.size() || reference.empty()) {
+    *error =
+        "expected as many poses in the estimate as in the reference, because the format has "
+        "no stamps; found " +
+        std::to_string(estimate.size()) + " and " + std::to_string(reference.size());
+    return std::nullopt;
+  }
+  MatchedPoses matched;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    matched.reference.push_back(reference[i].T_world_body);
+    matched.estimate.push_back(estimate[i].T_world_body);
+  }
+  return matched;
+}
+
+}  // namespace radive

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/evaluation/evaluate.h"
+
+#include "radive/evaluation/absolute_pose_error.h"
+#include "radive/evaluation/association.h"
+#include "radive/evaluation/relative_pose_error.h"
+
+namespace radive {
+namespace {
+
+// Every tenth pose starts a segment, as in the KITTI benchmark.
+constexpr int kSegmentStep = 10;
+
+std::optional<std::vector<double>> MeasureRelative(const MatchedPoses& poses,
+                                                   const EvaluationOptions& options,
+                                                   std::string* error) {
+  const auto pairs = SelectPosePairs(
+      options.pairs_from_reference ? poses.reference : poses.estimate, options.pairs, error);
+  return pairs ? RelativePoseErrors(poses, *pairs, options.relation, error) : std::nullopt;
+}
+
+// Fills errors, unit and drift.
+bool Measure(const MatchedPoses& poses,
+             const EvaluationOptions& options,
+             EvaluationResult* result,
+             std::string* error) {
+  if (options.metric == EvaluationMetric::kSegments) {
+    result->drift = ComputeSegmentDrift(poses, kSegmentStep, error);
+    if (!result->drift) return false;
+    for (const SegmentError& segment : result->drift->segments) {
+      result->errors.push_back(100.0 * segment.translation);
+    }
+    result->unit = "%";
+    return true;
+  }
+  std::optional<std::vector<double>> errors =
+      options.metric == EvaluationMetric::kApe ? AbsolutePoseErrors(poses, options.relation, error)
+                                               : MeasureRelative(poses, options, error);
+  if (!errors) return false;
+  result->errors = *std::move(errors);
+  result->unit = UnitOf(options.relation);
+  return true;
+}
+
+}  // namespace
+
+std::optional<EvaluationResult> Evaluate(const RecordedTrajectory& reference,
+                                         const RecordedTrajectory& estimate,
+                                         const EvaluationOptions& options,
+                                         std::string* error) {
+  if (!options.IsValid(error)) return std::nullopt;
+  std::optional<MatchedPoses> poses =
+      options.format == TrajectoryFormat::kKitti
+          ? AssociateByIndex(reference, estimate, error)
+          : AssociateByStamp(reference, estimate, options.max_time_difference, error);
+  if (!poses) return std::nullopt;
+
+  const std::optional<Alignment> alignment = ComputeAlignment(
+      options.align, poses->reference, poses->estimate, options.align_first, error);
+  if (!alignment) return std::nullopt;
+  ApplyAlignment(*alignment, &poses->estimate);
+  ProjectToPlane(options.plane, &poses->reference);
+  ProjectToPlane(options.plane, &poses->estimate);
+
+  EvaluationResult result;
+  result.num_reference = static_cast<int>(reference.size());
+  result.num_estimate = static_cast<int>(estimate.size());
+  result.num_matched = static_cast<int>(poses->reference.size());
+  result.alignment = *alignment;
+  if (!Measure(*poses, options, &result, error)) return std::nullopt;
+  result.statistics = ComputeErrorStatistics(result.errors);
+  return result;
+}
+
+}  // namespace radive

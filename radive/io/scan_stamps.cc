@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/scan_stamps.h"
+
+#include <charconv>
+#include <cstddef>
+#include <system_error>
+
+#include "radive/io/record_file.h"
+#include "radive/io/stamp_text.h"
+#include "radive/io/text_lines.h"
+
+namespace radive {
+std::optional<std::int64_t> ParseInteger(std::string_view text) {
+  std::int64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), end, value);
+  if (text.empty() || failure != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+bool ReadStampFile(const std::filesystem::path& path,
+                   std::vector<std::int64_t>* stamps_ns,
+                   std::string* error) {
+  std::string text;
+  if (!ReadWholeFile(path, &text, error)) return false;
+  struct Entry {
+    int line;
+    std::string_view text;
+  };
+  std::vector<Entry> entries;
+  bool are_seconds = false;
+  TextLines lines(text);
+  for (std::string_view line; lines.Next(&line);) {
+    line = TrimBlanks(line);
+    if (line.empty() || line.front() == '#') continue;
+    are_seconds = are_seconds || line.find_first_of(".eE") != std::string_view::npos;
+    entries.push_back({lines.number(), line});
+  }
+  stamps_ns->clear();
+  for (const Entry& entry : entries) {
+    const std::optional<std::int64_t> stamp =
+        are_seconds ? ParseStamp(entry.text) : ParseInteger(entry.text);
+    if (!stamp) {
+      *error = path.string() + ":" + std::to_string(entry.line) +
+               ": expected one stamp, integer nanoseconds or decimal seconds, found " +
+               Quoted(entry.text);
+      return false;
+    }
+    stamps_ns->push_back(*stamp);
+  }
+  return true;
+}
+
+std::optional<std::int64_t> StampOfStem(std::string_view stem) {
+  if (stem.empty() || stem.front() < '1' || stem.front() > '9') return std::nullopt;
+  const std::optional<std::int64_t> value = ParseInteger(stem);
+  if (!value) return std::nullopt;
+  switch (stem.size()) {
+    case 18:
+    case 19:
+      return *value;
+    case 15:
+    case 16:
+      return *value * 1000;
+    case 12:
+    case 13:
+      return *value * 1000000;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace radive
