@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/pipeline/simulation_writer.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <variant>
+
+#include "radive/simulation/radar_simulator.h"
+
+namespace radive {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Writes to a temporary name beside `path` and renames.
+bool WriteWhole(const fs::path& path, const std::string& bytes, std::string* error) {
+  const fs::path temporary = path.string() + ".tmp";
+  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) {
+    *error = temporary.string() + ": cannot be written: " + std::strerror(errno);
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    return false;
+  }
+  std::error_code code;
+  fs::rename(temporary, path, code);
+  if (code) *error = path.string() + ": cannot be written: " + code.message();
+  return !code;
+}
+
+bool PrepareFolder(const fs::path& folder, std::string* error) {
+  std::error_code code;
+  if (fs::exists(folder, code) &&
+      (!fs::is_directory(folder, code) || !fs::is_empty(folder, code))) {
+    *error = folder.string() + ": must be a new or empty folder" +
+             (code ? ": " + code.message() : std::string());
+    return false;
+  }
+  for (const char* name : {"radar", "labels"}) {
+    fs::create_directories(folder / name, code);
+    if (code) {
+      *error = (folder / name).string() + ": cannot be created: " + code.message();
+      return false;
+    }
+  }
+  return true;
+}
+
+void AppendFloat(double value, std::string* bytes) {
+  const auto narrow = static_cast<float>(value);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &narrow, sizeof(bits));
+  for (int shift = 0; shift < 32; shift += 8) {
+    bytes->push_back(static_cast<char>((bits >> shift) & 0xFFu));
+  }
+}
+
+bool WriteScan(const fs::path& folder,
+               int k,
+               const RadarScan& scan,
+               const GroundTruth& truth,
+               std::string* error) {
+  char name[32];
+  std::snprintf(name, sizeof(name), "%06d.bin", k);
+  std::string returns, labels;
+  for (const RadarReturn& entry : scan.returns) {
+    for (const double value :
+         {entry.position.x(), entry.position.y(), entry.position.z(), entry.doppler, entry.power}) {
+      AppendFloat(value, &returns);
+    }
+  }
+  for (const ReturnLabel label : truth.labels) labels.push_back(static_cast<char>(label));
+  return WriteWhole(folder / "radar" / name, returns, error) &&
+         WriteWhole(folder / "labels" / name, labels, error);
+}
+
+std::string TumLine(std::int64_t stamp_ns, const Rigid3& T_first_radar) {
+  char text[64];
+  std::snprintf(text,
+                sizeof(text),
+                "%lld.%09lld",
+                static_cast<long long>(stamp_ns / 1000000000),
+                static_cast<long long>(stamp_ns % 1000000000));
+  std::string line = text;
+  const Eigen::Vector3d& t = T_first_radar.translation;
+  const Eigen::Quaterniond& q = T_first_radar.rotation;
+  for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
+    // Without the sign of a zero that rounding made negative.
+    std::snprintf(text, sizeof(text), " %.9f", std::abs(value) < 5e-10 ? 0.0 : value);
+    line += text;
+  }
+  return line + "\n";
+}
+
+std::string ScenarioJson(const std::string& scenario,
+                         const RadarSimulator& simulator,
+                         int scans,
+                         std::int64_t returns,
+                         double path_length) {
+  SimulationOptions options = simulator.options();
+  char number[64];
+  std::string json = "{\n  \"scenario\": \"" + scenario + "\",\n  \"options\": {\n";
+  const std::vector<OptionField> fields = options.Fields();
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const bool is_word = std::holds_alternative<OptionField::Choice>(fields[i].value);
+    const std::string quote = is_word ? "\"" : "";
+    json += "    \"" + fields[i].name + "\": " + quote + fields[i].ToString() + quote +
+            (i + 1 < fields.size() ? ",\n" : "\n");
+  }
+  json += "  },\n  \"layout\": \"xyzdp5\",\n";
+  std::snprintf(number, sizeof(number), "%.9g", simulator.sensor().rate);
+  json += "  \"rate_hz\": " + std::string(number) + ",\n";
+  json += "  \"num_scans\": " + std::to_string(scans) + ",\n";
+  json += "  \"num_returns\": " + std::to_string(returns) + ",\n";
+  std::snprintf(number, sizeof(number), "%.3f", path_length);
+  return json + "  \"path_length_m\": " + number +
+         ",\n  \"labels\": [\"static\", \"ghost\", \"moving\", \"clutter\", \"duplicate\"]\n}\n";
+}
+
+}  // namespace
+
+bool WriteSimulation(const std::string& scenario,
+                     const SimulationOptions& options,
+                     const fs::path& folder,
+                     const std::function<void(int, int)>& progress,
+                     std::string* error) {
+  if (!options.IsValid(error) || !PrepareFolder(folder, error)) return false;
+  RadarSimulator simulator(options);
+  RadarScan scan;
+  GroundTruth truth;
+  Rigid3 T_first_world;
+  std::string times, poses;
+  std::int64_t returns = 0;
+  int k = 0;
+  for (; simulator.Next(&scan, &truth); ++k) {
+    if (k == 0) T_first_world = truth.T_world_radar.Inverse();
+    if (!WriteScan(folder, k, scan, truth, error)) return false;
+    times += std::to_string(scan.stamp_ns) + "\n";
+    poses += TumLine(scan.stamp_ns, T_first_world * truth.T_world_radar);
+    returns += static_cast<std::int64_t>(scan.returns.size());
+    if (progress) progress(k + 1, options.frames);
+  }
+  const double path_length = simulator.TravelledAt(k - 1);
+  return WriteWhole(folder / "times.txt", times, error) &&
+         WriteWhole(folder / "gt_tum.txt", poses, error) &&
+         WriteWhole(folder / "scenario.json",
+                    ScenarioJson(scenario, simulator, k, returns, path_length),
+                    error);
+}
+
+}  // namespace radive

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/simulation/traffic.h"
+
+#include <cmath>
+
+#include "radive/util/random.h"
+
+namespace radive {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kOncomingLane = 4.0;   // left of the driving lane [m]
+constexpr double kOncomingSpeed = 8.5;  // mean [m/s]
+
+}  // namespace
+
+Traffic::Traffic(const StreetPath& path, int num_cars, std::uint64_t seed) : path_(path) {
+  Random random(seed);
+  if (num_cars > 0) num_ahead_ = std::max(1, num_cars / 5);
+  const int num_oncoming = num_cars - num_ahead_;
+  for (int i = 0; i < num_oncoming; ++i) {
+    Oncoming car;
+    // All share the mean speed and the variation is small against the spacing: no collisions.
+    const double spacing = path.length() / num_oncoming;
+    car.start = spacing * (i + random.Uniform(-0.25, 0.25));
+    car.amplitude = 0.1 * spacing;
+    car.frequency = random.Uniform(0.08, 0.15);
+    car.phase = random.Uniform(0.0, 2.0 * kPi);
+    oncoming_.push_back(car);
+  }
+}
+
+std::vector<MovingCar> Traffic::CarsAt(double time, const VehicleMotion::Travel& ego) const {
+  std::vector<MovingCar> cars;
+  for (int i = 0; i < num_ahead_; ++i) {
+    // Distance from the rear axle of one to the centre of the other; it stands when the ego car
+    // stands.
+    const double gap = 20.0 + 26.0 * i, headway = 1.6 + 1.2 * i;
+    cars.push_back(Place(ego.s + gap + headway * ego.speed,
+                         std::max(0.0, ego.speed + headway * ego.acceleration),
+                         0.0));
+  }
+  for (const Oncoming& car : oncoming_) {
+    const double angle = car.frequency * time + car.phase;
+    const double s = car.start - kOncomingSpeed * time + car.amplitude * std::sin(angle);
+    const double rate = -kOncomingSpeed + car.amplitude * car.frequency * std::cos(angle);
+    cars.push_back(Place(s, rate, kOncomingLane));
+  }
+  return cars;
+}
+
+MovingCar Traffic::Place(double s, double s_rate, double lateral) const {
+  const StreetPath::Point point = path_.At(s);
+  const Eigen::Vector2d tangent(std::cos(point.heading), std::sin(point.heading));
+  MovingCar car;
+  car.center = point.position + lateral * Eigen::Vector2d(-tangent.y(), tangent.x());
+  car.velocity = s_rate * (1.0 - lateral * point.curvature) * tangent;
+  car.yaw_rate = s_rate * point.curvature;
+  car.heading = point.heading + (s_rate < 0.0 ? kPi : 0.0);
+  return car;
+}
+
+}  // namespace radive
