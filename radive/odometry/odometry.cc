@@ -111,7 +111,7 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
                                                     OdometryResult* result) {
   Stopwatch stopwatch;
   FilteredScan filtered;
-  filtered.returns = GateFieldOfView(scan, options_.sensor, options_.preprocessing, nullptr);
+  filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
   result->times_ms.preprocessing = stopwatch.Lap();
 
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
