@@ -63,8 +63,8 @@ class CondensedDopplerFactor {
   // U with U^T U = M. Pivoted, because M is singular for planar sensors and for few returns.
   static Eigen::Matrix4d Root(const Eigen::Matrix4d& matrix) {
     const Eigen::LDLT<Eigen::Matrix4d> ldlt(matrix);
-    const Eigen::Matrix4d upper =
-        Eigen::Matrix4d(ldlt.matrixU()) * Eigen::Matrix4d(ldlt.transpositionsP());
+    const Eigen::Matrix4d permutation = ldlt.transpositionsP() * Eigen::Matrix4d::Identity();
+    const Eigen::Matrix4d upper = Eigen::Matrix4d(ldlt.matrixU()) * permutation;
     return ldlt.vectorD().cwiseMax(0.0).cwiseSqrt().asDiagonal() * upper;
   }
 
