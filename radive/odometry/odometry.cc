@@ -119,8 +119,13 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
     result->ego_velocity =
         ego_velocity_.Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
     if (result->ego_velocity.valid) {
-      filtered.returns = KeepStatic(
+      const std::vector<bool> keep = KeepMask(
           filtered.returns, result->ego_velocity.v_radar, options_.ego_velocity.keep_gate);
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < keep.size(); ++i) {
+        if (keep[i]) filtered.returns[kept++] = filtered.returns[i];
+      }
+      filtered.returns.resize(kept);
     } else {
       // Without a velocity nothing tells static returns from moving ones.
       filtered.returns.clear();
