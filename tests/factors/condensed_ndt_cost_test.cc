@@ -236,6 +236,32 @@ TEST_P(CondensedNdtCostOf, ScatterIsOfTheGradientsOfScanGaussians) {
   EXPECT_LE((actual - expected).norm(), 1e-9 * expected.norm());
 }
 
+// The curvature at the minimum of a translation, against differences of the gradient. (Rotations
+// leave out how Sigma turns.)
+TEST_P(CondensedNdtCostOf, CurvatureIsTheSlopeOfTheGradient) {
+  Random random(9);
+  const Scene scene = RandomScene(40, /*all_pairs=*/false, &random);
+  const CondensedNdtCost cost(
+      scene.scan, scene.submap, scene.pairs, Eigen::Vector3d::Zero(), norm(), derivatives());
+  const Rigid3 T = Near(scene.T_submap_radar, &random);
+  const NdtQuadratic quadratic = cost.Quadratic(ToPoseBlock(T).data(), true);
+  constexpr double h = 1e-5;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
+    const Vector6d above =
+        cost.Quadratic(ToPoseBlock({T.rotation, T.translation + step}).data(), false).gradient;
+    const Vector6d below =
+        cost.Quadratic(ToPoseBlock({T.rotation, T.translation - step}).data(), false).gradient;
+    const Eigen::Vector3d slope = ((above - below) / (2.0 * h)).tail<3>();
+    const Eigen::Vector3d curvature = quadratic.curvature.block<3, 1>(3, 3 + i);
+    const Eigen::Matrix3d hessian = quadratic.hessian.bottomRightCorner<3, 3>();
+    EXPECT_LE((curvature - slope).norm(), 1e-6 * hessian.norm());
+  }
+  EXPECT_GT((quadratic.hessian - quadratic.curvature).norm(), 0.1 * quadratic.hessian.norm());
+  EXPECT_LT((quadratic.curvature - quadratic.curvature.transpose()).norm(),
+            1e-12 * quadratic.curvature.norm());
+}
+
 class AnalyticAndAutodiff : public ::testing::TestWithParam<NdtNormalisation> {};
 INSTANTIATE_TEST_SUITE_P(Normalisations,
                          AnalyticAndAutodiff,
