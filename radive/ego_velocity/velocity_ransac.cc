@@ -3,6 +3,7 @@
 
 #include "radive/ego_velocity/velocity_ransac.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace radive {
