@@ -6,7 +6,16 @@
 namespace radive {
 
 std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::Stages() {
-  return {};
+  return {
+      {"sensor", sensor.Fields()},
+      {"preprocessing", preprocessing.Fields()},
+      {"ego_velocity", ego_velocity.Fields()},
+      {"ndt", ndt.Fields()},
+      {"pairs", pairs.Fields()},
+      {"registration", registration.Fields()},
+      {"motion", motion.Fields()},
+      {"submap", submap.Fields()},
+  };
 }
 
 bool OdometryOptions::IsValid(std::string* error) const {
@@ -14,7 +23,7 @@ bool OdometryOptions::IsValid(std::string* error) const {
   for (const auto& [stage, fields] : copy.Stages()) {
     if (!CheckFields(stage, fields, error)) return false;
   }
-  return true;
+  return sensor.IsValid(error);
 }
 
 }  // namespace radive
