@@ -26,6 +26,7 @@ EgoVelocityOptions FitOptions() {
   options.temporal_gate = 0.0;
   options.min_inlier_share = 0.5;
   options.min_inliers = 8;
+  options.vertical_ridge = 0.0;  // which way is up in the radar is not known here
   return options;
 }
 
