@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ceres/cost_function.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "radive/factors/ndt_pair_factor.h"
+#include "radive/geometry/gaussian3.h"
+
+namespace radive {
+
+// One correspondence: indices into the scan's and the submap's Gaussians.
+struct NdtPair {
+  int scan = 0;
+  int submap = 0;
+};
+
+// How the derivatives inside the condensed block are formed.
+enum class NdtDerivatives {
+  kAnalytic,  // closed form; the 6x6 matrix holds Sigma fixed
+  kAutodiff,  // Jets through NdtPairFactor: the reference, three to four times slower
+};
+
+// Cost, gradient and curvature of the NDT cost of many pairs, in the tangent space
+// [rotation vector (3) [rad], translation (3) [m]] of a pose that is perturbed from the left:
+// (exp(dr) R, t + dt).
+struct NdtQuadratic {
+  double cost = 0.0;                                                   // >= 0
+  Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();  // PSD approximation
+  // Sum over scan Gaussians of g_i g_i^T, their single gradients: the scatter of a robust
+  // M-estimator, for its sandwich covariance H^-1 scatter H^-1. Filled on request.
+  Eigen::Matrix<double, 6, 6> scatter = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+// All pairs of a scan as one Ceres block.
+//
+//   C(T) = sum over pairs of w (k_c - k exp(-Delta^T Sigma^-1 Delta / 2))      (NdtPairFactor)
+//
+// The block hands Ceres seven residuals made from C, its exact gradient g and a positive definite
+// matrix H = J^T J:
+//
+//   r_1..6 = J^-T g,   r_7 = sqrt(2 (C + C0) - |r_1..6|^2),   dr/dT = [J; 0]
+//
+// so that |r|^2 / 2 = C + C0 and J^T r = g exactly, and Levenberg-Marquardt takes the paper's step
+// (H + lambda diag H) dx = -g with the true cost deciding on acceptance. C0 = sum of w k_c is
+// constant; it keeps the root real.
+//
+// One block a pair costs five times as much in Ceres' bookkeeping alone.
+//
+// Parameter blocks: T_submap_radar [qx qy qz qw tx ty tz] (7). Residuals: 7.
+class CondensedNdtCost : public ceres::SizedCostFunction<7, 7> {
+ public:
+  // Pairs must be sorted by `scan`. The vectors must outlive the cost function. The means of
+  // `submap` are taken relative to `origin`: poses near it then have small translations, in which
+  // step tolerances mean what they say.
+  CondensedNdtCost(const std::vector<Gaussian3>& scan,
+                   const std::vector<Gaussian3>& submap,
+                   const std::vector<NdtPair>& pairs,
+                   const Eigen::Vector3d& origin,
+                   NdtNormalisation normalisation,
+                   NdtDerivatives derivatives);
+
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override;
+
+  // What the block condenses, at `pose`.
+  NdtQuadratic Quadratic(const double* pose, bool with_scatter) const;
+
+  // The constant C0: final costs are reported without it.
+  double offset() const { return offset_; }
+
+ private:
+  // Everything of a pair that does not change with the pose, side by side for the cache.
+  struct Target {
+    Eigen::Vector3d mean;          // relative to origin_
+    double xx, xy, xz, yy, yz, zz;  // covariance
+    double depth;                  // w k_c (kUnit: w)
+    double factor;                 // kPaper: w (2 pi)^-3/2
+  };
+
+  double Cost(const double* pose) const;
+  NdtQuadratic AutodiffQuadratic(const double* pose, bool with_scatter) const;
+  NdtQuadratic AnalyticQuadratic(const double* pose, bool with_scatter) const;
+
+  const std::vector<Gaussian3>& scan_;
+  const std::vector<Gaussian3>& submap_;
+  const std::vector<NdtPair>& pairs_;
+  const Eigen::Vector3d origin_;
+  const NdtNormalisation normalisation_;
+  const NdtDerivatives derivatives_;
+  std::vector<Target> targets_;  // one a pair
+  double offset_ = 0.0;
+};
+
+}  // namespace radive

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <ceres/iteration_callback.h>
+#include <ceres/problem.h>
+
+#include <string>
+#include <vector>
+
+#include "radive/solver/solver_options.h"
+
+namespace radive {
+
+// How a solve ended.
+struct SolveSummary {
+  // The parameter blocks hold the best point that was found; false: an evaluation failed and they
+  // are as they were before.
+  bool usable = false;
+  bool converged = false;  // one of the tolerances was met
+  std::string message;     // why it stopped, in words
+  int num_iterations = 0;  // Levenberg-Marquardt steps, rejected ones included
+  double initial_cost = 0.0;
+  double final_cost = 0.0;
+};
+
+// Minimises 1/2 sum rho(|r|^2) over the parameter blocks of `problem`, by Levenberg-Marquardt with
+// the damping lambda diag(H) of the paper. The only call of ceres::Solve in the project.
+//
+// Prints nothing. `options` must be valid. `callbacks` are called after each step, with the
+// parameter blocks up to date; they stay the caller's.
+SolveSummary Solve(const SolverOptions& options,
+                   ceres::Problem* problem,
+                   const std::vector<ceres::IterationCallback*>& callbacks = {});
+
+}  // namespace radive
