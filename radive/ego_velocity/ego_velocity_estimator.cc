@@ -144,10 +144,7 @@ EgoVelocity EgoVelocityEstimator::Refine(const DopplerEquations& equations,
     if (is_settled) break;
   }
   fit.num_inliers = static_cast<int>(inliers.size());
-  if (inliers.empty() || !fit.v_radar.allFinite()) {
-    fit.reason = "no velocity fits the returns";
-    return fit;
-  }
+  if (inliers.empty()) return fit;
   double sum = 0.0;
   for (const Eigen::Index i : inliers) sum += residuals[i] * residuals[i];
   fit.residual_rms = std::sqrt(sum / static_cast<double>(inliers.size()));
@@ -220,6 +217,27 @@ Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equatio
          common_variance * Eigen::Matrix3d::Identity();
 }
 
+// Standard deviation of the fit in the weakest horizontal direction [m/s]; infinite when the
+// inliers leave it open. The covariance alone would not tell: it is zero there, for want of
+// residuals.
+double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
+                                             const DopplerEquations& equations) const {
+  const auto is_inlier =
+      (equations.Residuals(fit.v_radar).abs() <= options_.fit_gate).cast<double>().eval();
+  Eigen::Matrix2d information;
+  information(0, 0) = (is_inlier * equations.first.square()).sum();
+  information(1, 1) = (is_inlier * equations.second.square()).sum();
+  information(0, 1) = (is_inlier * equations.first * equations.second).sum();
+  information(1, 0) = information(0, 1);
+  const Eigen::Matrix2d covariance = equations.basis.transpose() * fit.covariance * equations.basis;
+  const double weakest =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1];
+  return std::max(std::sqrt(std::max(0.0, largest)),
+                  sensor_.sigma_doppler / std::sqrt(std::max(0.0, weakest)));
+}
+
 // Empty when the fit is usable.
 std::string EgoVelocityEstimator::WhyUnusable(
     const EgoVelocity& fit,
@@ -233,9 +251,7 @@ std::string EgoVelocityEstimator::WhyUnusable(
                   equations.size(),
                   std::ceil(needed));
   }
-  const Eigen::Matrix2d horizontal = equations.basis.transpose() * fit.covariance * equations.basis;
-  const double sigma =
-      std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(horizontal).eigenvalues()[1]);
+  const double sigma = HorizontalSigma(fit, equations);
   if (!(sigma <= options_.max_sigma)) {
     return Format(
         "the returns lie too close to one direction: standard deviation %.2f m/s across "

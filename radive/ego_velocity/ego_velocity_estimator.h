@@ -62,6 +62,7 @@ class EgoVelocityEstimator {
                              const Eigen::ArrayXd& residuals,
                              const Eigen::Vector3d& up_radar,
                              double vertical_ridge) const;
+  double HorizontalSigma(const EgoVelocity& fit, const DopplerEquations& equations) const;
   std::string WhyUnusable(const EgoVelocity& fit,
                           const DopplerEquations& equations,
                           const std::optional<VelocityGate>& temporal_gate) const;

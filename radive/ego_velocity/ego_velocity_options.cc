@@ -9,7 +9,7 @@ std::vector<OptionField> EgoVelocityOptions::Fields() {
   return {
       OptionField{"enabled",
                   &enabled,
-                  "",
+                  "-",
                   "Whether to fit the velocity of the radar to the Doppler of each scan."},
       OptionField{
           "fit_gate", &fit_gate, "m/s", "Largest Doppler residual of returns used for the fit."}
@@ -70,7 +70,7 @@ std::vector<OptionField> EgoVelocityOptions::Fields() {
                   "Below this speed the radar counts as standing."}
           .AtLeast(0.0),
       OptionField{
-          "weights", &weights, "", "Whether returns are weighted by their velocity discrepancy."},
+          "weights", &weights, "-", "Whether returns are weighted by their velocity discrepancy."},
       OptionField{"discrepancy_scale",
                   &discrepancy_scale,
                   "m/s",

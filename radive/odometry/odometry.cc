@@ -48,10 +48,7 @@ const char* ToString(OdometryResult::Status status) {
 class Odometry::Impl {
  public:
   explicit Impl(const OdometryOptions& options)
-      : options_(options),
-        T_vehicle_radar_(options.sensor.T_vehicle_radar()),
-        ego_velocity_(options.ego_velocity, options.sensor),
-        submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
+      : options_(options), submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
     std::string error;
     CHECK(options.IsValid(&error)) << error;
   }
@@ -90,8 +87,8 @@ class Odometry::Impl {
   }
 
   const OdometryOptions options_;
-  const Rigid3 T_vehicle_radar_;
-  EgoVelocityEstimator ego_velocity_;
+  Rigid3 T_vehicle_radar_;  // of the radar that the first scan names
+  std::optional<EgoVelocityEstimator> ego_velocity_;
   std::unique_ptr<Submap> submap_;
   tsl::robin_map<std::uint64_t, bool, CellKeyHash> map_cells_;
 
@@ -117,7 +114,7 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
   if (use_doppler) {
     result->ego_velocity =
-        ego_velocity_.Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
+        ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
     if (result->ego_velocity.valid) {
       const std::vector<bool> keep = KeepMask(
           filtered.returns, result->ego_velocity.v_radar, options_.ego_velocity.keep_gate);
@@ -284,6 +281,11 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   result.num_returns = static_cast<int>(scan.returns.size());
   result.T_world_radar = T_world_radar_;
   const bool is_first = result.index == 0;
+  if (is_first) {
+    const SensorOptions sensor = options_.sensor.ForRadar(scan.radar);
+    T_vehicle_radar_ = sensor.T_vehicle_radar();
+    ego_velocity_.emplace(options_.ego_velocity, sensor);
+  }
   if (!is_first && scan.stamp_ns <= last_stamp_ns_) {
     result.status = OdometryResult::Status::kSkipped;
     result.reason = scan.stamp_ns == last_stamp_ns_ ? "stamp repeats" : "stamp goes back";

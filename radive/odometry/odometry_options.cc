@@ -23,7 +23,7 @@ bool OdometryOptions::IsValid(std::string* error) const {
   for (const auto& [stage, fields] : copy.Stages()) {
     if (!CheckFields(stage, fields, error)) return false;
   }
-  return true;
+  return sensor.IsValid(error);
 }
 
 }  // namespace radive

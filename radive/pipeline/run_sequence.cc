@@ -33,9 +33,10 @@ class SequenceRun {
                   NumScansToRun()) {}
 
   RunStatus Run(std::string* error) {
-    if (!writer_.Open(request_.output, error)) return RunStatus::kFailed;
+    // A run that cannot begin leaves the folder, and earlier results in it, as they are.
+    if (!SkipStart(error) || !writer_.Open(request_.output, error)) return RunStatus::kFailed;
     progress_.Message(stored_->Description());
-    RunStatus status = SkipStart(error) ? AddScans(error) : RunStatus::kFailed;
+    RunStatus status = AddScans(error);
     progress_.Finish();
     std::string write_error;
     if (!WriteFiles(status, *error, &write_error) && status != RunStatus::kFailed) {

@@ -40,7 +40,7 @@ std::vector<OptionField> PreprocessingOptions::Fields() {
           .AtMost(kQuarterTurn),
       OptionField{"azimuth_bin",
                   MakeChoice(&azimuth_bin, {"off", "exact", "quantised"}),
-                  "",
+                  "-",
                   "Keep only the nearest return of each direction: azimuth bins with exactly equal "
                   "elevation (as printed in the paper), or with elevation bins."},
       OptionField{"azimuth_bin_width", &azimuth_bin_width, "rad", "Width of the azimuth bins."}

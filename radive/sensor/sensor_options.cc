@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kHalfTurn = 3.1416;  // a little more than pi, so that rounded settings pass
 
+constexpr std::size_t kMountColumns = 7;
+
 }  // namespace
 
 Rigid3 SensorOptions::T_vehicle_radar() const {
@@ -15,6 +17,20 @@ Rigid3 SensorOptions::T_vehicle_radar() const {
                                     Eigen::AngleAxisd(mount_pitch, Eigen::Vector3d::UnitY()) *
                                     Eigen::AngleAxisd(mount_roll, Eigen::Vector3d::UnitX()));
   return {rotation, Eigen::Vector3d(mount_x, mount_y, mount_z)};
+}
+
+SensorOptions SensorOptions::ForRadar(int radar) const {
+  SensorOptions options = *this;
+  for (std::size_t row = 0; row + kMountColumns <= mounts.size(); row += kMountColumns) {
+    if (static_cast<int>(mounts[row]) != radar) continue;
+    options.mount_x = mounts[row + 1];
+    options.mount_y = mounts[row + 2];
+    options.mount_z = mounts[row + 3];
+    options.mount_roll = mounts[row + 4];
+    options.mount_pitch = mounts[row + 5];
+    options.mount_yaw = mounts[row + 6];
+  }
+  return options;
 }
 
 std::vector<OptionField> SensorOptions::Fields() {
@@ -56,11 +72,22 @@ std::vector<OptionField> SensorOptions::Fields() {
                   "Direction of the radar in the vehicle; positive looks to the left."}
           .AtLeast(-kHalfTurn)
           .AtMost(kHalfTurn),
+      OptionField{"mounts",
+                  &mounts,
+                  "m, rad",
+                  "Mounts of several radars, which win over mount_*: for each its number, x, y, z, "
+                  "roll, pitch, yaw."},
   };
 }
 
 bool SensorOptions::IsValid(std::string* error) const {
-  return CheckOptions("sensor", *this, error);
+  if (!CheckOptions("sensor", *this, error)) return false;
+  if (mounts.size() % kMountColumns != 0) {
+    *error = "sensor.mounts must be rows of " + std::to_string(kMountColumns) + " numbers, has " +
+             std::to_string(mounts.size());
+    return false;
+  }
+  return true;
 }
 
 }  // namespace radive

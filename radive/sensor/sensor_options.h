@@ -34,7 +34,14 @@ struct SensorOptions {
   double mount_pitch = 0.0;  // [rad]
   double mount_yaw = 0.0;    // [rad]
 
+  // Vehicles with several radars: rows of seven, the radar's number as the dataset counts it and
+  // its mount_x, mount_y, mount_z [m], mount_roll, mount_pitch, mount_yaw [rad].
+  std::vector<double> mounts;
+
   Rigid3 T_vehicle_radar() const;
+
+  // These options with mount_* set to the row of `mounts` for that radar, if there is one.
+  SensorOptions ForRadar(int radar) const;
 
   std::vector<OptionField> Fields();
 

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/pipeline/run_sequence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "radive/config/describe_config.h"
+#include "radive/config/load_config.h"
+#include "tests/pipeline/fake_scan_source.h"
+#include "tests/scratch_folder.h"
+
+namespace radive {
+namespace {
+
+using testing::FakeScanSource;
+using ::testing::HasSubstr;
+using testing::ReadFile;
+using testing::ScratchFolder;
+using testing::StaticScans;
+
+const Eigen::Vector3d kForward(8.0, 0.5, -0.2);
+constexpr std::array<const char*, 7> kFiles = {"trajectory_tum.txt",
+                                               "trajectory_kitti.txt",
+                                               "scans.csv",
+                                               "timing.csv",
+                                               "map.ply",
+                                               "config.yaml",
+                                               "run.json"};
+
+RunRequest RequestFor(const std::filesystem::path& folder) {
+  RunRequest request;
+  request.input = "somewhere";
+  request.output = folder.string();
+  request.quiet = true;
+  request.command_line = "radive_odometry --input somewhere";
+  request.version = "1.2.3";
+  return request;
+}
+
+int CountLines(const std::filesystem::path& path) {
+  const std::string text = ReadFile(path);
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+nlohmann::json RunJson(const std::filesystem::path& folder) {
+  return nlohmann::json::parse(ReadFile(folder / "run.json"));
+}
+
+TEST(RunSequence, WritesALineForEachScanAndAllFiles) {
+  const ScratchFolder scratch;
+  FakeScanSource source(StaticScans(12, kForward, 1.0));
+  source.Warn("FILE: 3 bytes too many");
+  std::string error;
+  ASSERT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path()), &source, &error), RunStatus::kDone)
+      << error;
+  int num_files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
+    EXPECT_THAT(kFiles, ::testing::Contains(entry.path().filename().string()));
+    ++num_files;
+  }
+  EXPECT_EQ(num_files, 7);
+  EXPECT_EQ(CountLines(scratch.path() / "trajectory_tum.txt"), 12);
+  EXPECT_EQ(CountLines(scratch.path() / "trajectory_kitti.txt"), 12);
+  EXPECT_EQ(CountLines(scratch.path() / "scans.csv"), 13);
+  EXPECT_EQ(CountLines(scratch.path() / "timing.csv"), 13);
+
+  const nlohmann::json run = RunJson(scratch.path());
+  EXPECT_EQ(run["frames"], 12);
+  EXPECT_EQ(run["version"], "1.2.3");
+  EXPECT_EQ(run["command_line"], "radive_odometry --input somewhere");
+  EXPECT_EQ(run["input"], "somewhere");
+  EXPECT_EQ(run["source"], "made-up scans");
+  EXPECT_EQ(run["interrupted"], false);
+  EXPECT_EQ(run["error"], "");
+  EXPECT_EQ(run["num_warnings"], 1);
+  EXPECT_EQ(run["warnings"][0], "FILE: 3 bytes too many");
+  int with_status = 0;
+  for (const auto& [status, count] : run["status"].items()) with_status += count.get<int>();
+  EXPECT_EQ(with_status, 12);
+  EXPECT_GE(run["p95_ms_per_frame"].get<double>(), 0.0);
+  EXPECT_GE(run["mean_ms_per_frame"].get<double>(), 0.0);
+  EXPECT_GT(run["peak_memory_mb"].get<double>(), 1.0);
+  EXPECT_EQ(run["configuration"]["input"]["rate"], 10.0);
+  EXPECT_THAT(run["notes"].dump(), HasSubstr("Doppler sign +1"));
+}
+
+TEST(RunSequence, TheWrittenConfigurationReadsBack) {
+  const ScratchFolder scratch;
+  RunConfig config;
+  config.output.map_resolution = 0.75;
+  FakeScanSource source({});
+  std::string error;
+  ASSERT_EQ(RunSequence(config, RequestFor(scratch.path()), &source, &error), RunStatus::kDone);
+  const auto read = LoadRunConfig((scratch.path() / "config.yaml").string(), "", &error);
+  ASSERT_TRUE(read) << error;
+  EXPECT_EQ(EffectiveConfig(*read), EffectiveConfig(config));
+}
+
+TEST(RunSequence, RepeatsToTheSameBytes) {
+  const ScratchFolder scratch;
+  std::string error;
+  for (const char* folder : {"one", "two"}) {
+    FakeScanSource source(StaticScans(15, kForward, -1.0));
+    ASSERT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path() / folder), &source, &error),
+              RunStatus::kDone);
+  }
+  for (const char* file : {"trajectory_tum.txt", "trajectory_kitti.txt", "scans.csv", "map.ply"}) {
+    EXPECT_EQ(ReadFile(scratch.path() / "one" / file), ReadFile(scratch.path() / "two" / file));
+  }
+}
+
+TEST(RunSequence, StartAndFramesChooseAPart) {
+  const ScratchFolder scratch;
+  RunRequest request = RequestFor(scratch.path());
+  request.start = 3;
+  request.num_frames = 4;
+  FakeScanSource source(StaticScans(12, kForward, 1.0));
+  std::string error;
+  ASSERT_EQ(RunSequence(RunConfig(), request, &source, &error), RunStatus::kDone) << error;
+  EXPECT_EQ(CountLines(scratch.path() / "trajectory_tum.txt"), 4);
+  EXPECT_EQ(ReadFile(scratch.path() / "trajectory_tum.txt").substr(0, 12), "0.300000000 ");
+}
+
+TEST(RunSequence, TheFirstPartOfADriveGivesTheSameLines) {
+  const ScratchFolder scratch;
+  std::string error;
+  FakeScanSource whole(StaticScans(40, kForward, -1.0));
+  ASSERT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path() / "whole"), &whole, &error),
+            RunStatus::kDone);
+  RunRequest request = RequestFor(scratch.path() / "part");
+  request.num_frames = 9;
+  FakeScanSource part(StaticScans(40, kForward, -1.0));
+  ASSERT_EQ(RunSequence(RunConfig(), request, &part, &error), RunStatus::kDone);
+  const std::string lines = ReadFile(scratch.path() / "part" / "trajectory_tum.txt");
+  EXPECT_EQ(ReadFile(scratch.path() / "whole" / "trajectory_tum.txt").rfind(lines, 0), 0u);
+}
+
+TEST(RunSequence, StartBehindTheEndIsAnError) {
+  const ScratchFolder scratch;
+  RunRequest request = RequestFor(scratch.path());
+  request.start = 12;
+  FakeScanSource source(StaticScans(12, kForward, 1.0));
+  std::string error;
+  EXPECT_EQ(RunSequence(RunConfig(), request, &source, &error), RunStatus::kFailed);
+  EXPECT_EQ(error, "somewhere: no scan is left after leaving out the first 12 of 12");
+}
+
+TEST(RunSequence, AnInterruptedRunFinishesItsFiles) {
+  const ScratchFolder scratch;
+  RunConfig config;
+  config.input.doppler_sign = InputOptions::DopplerSign::kPlus;  // so that no scan is held back
+  std::atomic<bool> stop{false};
+  RunRequest request = RequestFor(scratch.path());
+  request.stop = &stop;
+  FakeScanSource source(StaticScans(12, kForward, 1.0));
+  source.before_next = [&stop](std::size_t num_read) { stop = num_read == 4; };
+  std::string error;
+  EXPECT_EQ(RunSequence(config, request, &source, &error), RunStatus::kInterrupted);
+  EXPECT_EQ(CountLines(scratch.path() / "trajectory_tum.txt"), 5);  // the scan at hand included
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() / "map.ply"));
+  EXPECT_EQ(RunJson(scratch.path())["interrupted"], true);
+  EXPECT_EQ(RunJson(scratch.path())["frames"], 5);
+}
+
+TEST(RunSequence, ASourceThatBreaksLeavesWhatCameBefore) {
+  const ScratchFolder scratch;
+  FakeScanSource source(StaticScans(6, kForward, 1.0), "FILE.bin:6: expected whole records");
+  std::string error;
+  EXPECT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path()), &source, &error),
+            RunStatus::kFailed);
+  EXPECT_EQ(error, "FILE.bin:6: expected whole records");
+  EXPECT_EQ(CountLines(scratch.path() / "trajectory_tum.txt"), 6);
+  EXPECT_EQ(RunJson(scratch.path())["error"], "FILE.bin:6: expected whole records");
+}
+
+TEST(RunSequence, OutputThatCannotBeWrittenIsAnErrorBeforeTheFirstScan) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "file") << "";
+  FakeScanSource source(StaticScans(6, kForward, 1.0));
+  std::string error;
+  EXPECT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path() / "file"), &source, &error),
+            RunStatus::kFailed);
+  EXPECT_THAT(error, HasSubstr("must be a folder, is a file"));
+  EXPECT_EQ(source.num_read(), 0u);
+}
+
+TEST(RunSequence, WithoutMapAnEarlierMapGoes) {
+  const ScratchFolder scratch;
+  RunConfig config;
+  std::string error;
+  FakeScanSource first(StaticScans(6, kForward, 1.0));
+  ASSERT_EQ(RunSequence(config, RequestFor(scratch.path()), &first, &error), RunStatus::kDone);
+  EXPECT_TRUE(std::filesystem::exists(scratch.path() / "map.ply"));
+  config.output.map = OutputOptions::Map::kNone;
+  FakeScanSource second(StaticScans(6, kForward, 1.0));
+  ASSERT_EQ(RunSequence(config, RequestFor(scratch.path()), &second, &error), RunStatus::kDone);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "map.ply"));
+}
+
+TEST(RunSequence, AWarningWhenTheDopplerSignStaysOpen) {
+  const ScratchFolder scratch;
+  FakeScanSource source(StaticScans(6, Eigen::Vector3d::Zero(), 1.0));
+  std::string error;
+  ASSERT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path()), &source, &error),
+            RunStatus::kDone);
+  EXPECT_THAT(RunJson(scratch.path())["warnings"].dump(), HasSubstr("undecided, +1 assumed"));
+}
+
+}  // namespace
+}  // namespace radive
