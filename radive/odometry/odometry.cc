@@ -26,6 +26,14 @@ namespace {
 
 constexpr double kSecondsPerNanosecond = 1e-9;
 
+// How much worse a prediction gets with the time that no scan was seen, beyond what the velocity's
+// covariance says: the velocity and the turning rate change meanwhile.
+constexpr double kUnseenAcceleration = 0.15;  // share of t^2 in the position [m/s^2]
+constexpr double kUnseenRotationRate = 0.1;   // [rad/s]
+
+// Shortest lever from which lateral Doppler velocity makes a turning rate [m].
+constexpr double kMinLever = 1.0;
+
 // Edge of the voxels that the map of a drive keeps one point of [m].
 constexpr double kMapResolution = 0.25;
 
@@ -73,6 +81,11 @@ class Odometry::Impl {
   };
 
   FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
+  // Time up to now in which no scan was seen, beyond the usual interval [s].
+  double UnseenTime(double dt) const {
+    return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
+  }
+  Eigen::Vector3d MeanRate(const EgoVelocity& velocity, double dt) const;
   Prediction Predict(const EgoVelocity& velocity, double dt) const;
   RegistrationPriors Priors(const Prediction& prediction, const RadarScan& scan, double dt) const;
   void Register(const RadarScan& scan,
@@ -94,18 +107,17 @@ class Odometry::Impl {
 
   int num_scans_ = 0;
   std::int64_t last_stamp_ns_ = 0;
-  Rigid3 T_world_radar_;                                       // of the last scan
-  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();    // radar frame [m/s]
-  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();        // radar frame [rad/s]
-  bool has_doppler_velocity_ = false;                          // last_velocity_ is measured
-  double time_since_registered_ = 0.0;                         // [s]
-  double usual_interval_ = 0.0;                                // between scans [s]
-  std::optional<Rigid3> T_world_keyframe_;                     // the last keyframe
+  Rigid3 T_world_radar_;                                     // of the last scan
+  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // radar frame [m/s]
+  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // radar frame [rad/s]
+  bool has_doppler_velocity_ = false;                        // last_velocity_ is measured
+  double time_since_registered_ = 0.0;                       // [s]
+  double usual_interval_ = 0.0;                              // between scans [s]
+  std::optional<Rigid3> T_world_keyframe_;                   // the last keyframe
   bool has_noted_doppler_ = false;
 };
 
-Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
-                                                    OdometryResult* result) {
+Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, OdometryResult* result) {
   Stopwatch stopwatch;
   FilteredScan filtered;
   filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
@@ -113,11 +125,10 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
 
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
   if (use_doppler) {
-    result->ego_velocity =
-        ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
+    result->ego_velocity = ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
     if (result->ego_velocity.valid) {
-      const std::vector<bool> keep = KeepMask(
-          filtered.returns, result->ego_velocity.v_radar, options_.ego_velocity.keep_gate);
+      const std::vector<bool> keep =
+          KeepMask(filtered.returns, result->ego_velocity.v_radar, options_.ego_velocity.keep_gate);
       std::size_t kept = 0;
       for (std::size_t i = 0; i < keep.size(); ++i) {
         if (keep[i]) filtered.returns[kept++] = filtered.returns[i];
@@ -146,10 +157,25 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
   return filtered;
 }
 
+// Turning rate since the last scan, radar frame [rad/s]: the last one, and over an outage, in which
+// it would grow stale, the mean of what the lateral Doppler velocity of a road vehicle says of both
+// ends. The rate between two scans is noisy, and an outage multiplies it by many scans.
+Eigen::Vector3d Odometry::Impl::MeanRate(const EgoVelocity& velocity, double dt) const {
+  const double lever = T_vehicle_radar_.translation.x();
+  if (!(UnseenTime(dt) > 2.0 * usual_interval_) || !velocity.valid || !has_doppler_velocity_ ||
+      !options_.motion.no_slip || std::abs(lever) < kMinLever) {
+    return last_rate_;
+  }
+  const Eigen::Vector3d v_mean = 0.5 * (last_velocity_ + velocity.v_radar);
+  const double yaw_rate = (T_vehicle_radar_.rotation * v_mean).y() / lever;
+  return T_vehicle_radar_.rotation.conjugate() * Eigen::Vector3d(0.0, 0.0, yaw_rate);
+}
+
 Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, double dt) const {
   Prediction prediction;
-  const Eigen::Quaterniond turn = QuaternionFromRotationVector(last_rate_ * dt);
-  const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * last_rate_);
+  const Eigen::Vector3d rate = MeanRate(velocity, dt);
+  const Eigen::Quaterniond turn = QuaternionFromRotationVector(rate * dt);
+  const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
   Eigen::Vector3d v_mean = last_velocity_;
   if (velocity.valid) {
     // Trapezoid: the mean of both ends, each in its own radar frame, is the chord half-way.
@@ -165,8 +191,12 @@ Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, 
     const double floor = options_.motion.doppler_floor;
     const Eigen::Matrix3d covariance =
         velocity.covariance + floor * floor * Eigen::Matrix3d::Identity();
-    prediction.doppler = RegistrationPriors::Translation{prediction.T_world_radar.translation,
-                                                         dt * dt * R * covariance * R.transpose()};
+    const double unseen = UnseenTime(dt);
+    const double sigma_unseen = kUnseenAcceleration * unseen * unseen;
+    prediction.doppler = RegistrationPriors::Translation{
+        prediction.T_world_radar.translation,
+        dt * dt * R * covariance * R.transpose() +
+            sigma_unseen * sigma_unseen * Eigen::Matrix3d::Identity()};
   }
   return prediction;
 }
@@ -203,10 +233,11 @@ RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
     prior.T_e_radar = T_vehicle_radar_;
     const double distance = prediction.speed * dt;
     // The point without slip lies ahead of the rear axle by compliance * v^2.
-    prior.T_e_radar.translation.x() -=
-        motion.slip_compliance * prediction.speed * prediction.speed;
+    prior.T_e_radar.translation.x() -= motion.slip_compliance * prediction.speed * prediction.speed;
     prior.lateral_offset = 0.0;
-    prior.sigma = motion.no_slip_floor + motion.no_slip_ratio * distance;
+    const double unseen = UnseenTime(dt);
+    prior.sigma = motion.no_slip_floor + motion.no_slip_ratio * distance +
+                  kUnseenAcceleration * unseen * unseen;
     priors.no_slip = prior;
   }
   if (options_.registration.planar || scan.is_planar) priors.plane_normal = UpRadar();
@@ -233,14 +264,18 @@ void Odometry::Impl::Register(const RadarScan& scan,
   }
   result->num_gaussians = static_cast<int>(gaussians.size());
   const double gap = std::max(0.0, time_since_registered_ + dt - usual_interval_);
-  const double slack = options_.pairs.slack + options_.motion.gap_slack_rate * gap;
+  const double growth = options_.motion.gap_slack_rate * gap;
+  const double slack = options_.pairs.slack + growth;
+  RegistrationOptions registration_options = options_.registration;
+  registration_options.max_correction += growth;
+  registration_options.max_rotation_correction += kUnseenRotationRate * gap;
   const RegistrationResult registration = RegisterNdt(gaussians,
                                                       *submap_->search(),
                                                       prediction.T_world_radar,
                                                       slack,
                                                       Priors(prediction, scan, dt),
                                                       options_.pairs,
-                                                      options_.registration);
+                                                      registration_options);
   result->num_pairs = registration.num_pairs;
   result->num_iterations = registration.num_iterations;
   result->cost = registration.cost;
@@ -293,21 +328,24 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
     return result;
   }
   const double dt =
-      is_first ? 0.0
-               : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
+      is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
   FilteredScan filtered = Filter(scan, &result);
   const EgoVelocity& velocity = result.ego_velocity;
   const Prediction prediction = Predict(velocity, dt);
-  const bool is_standing =
-      velocity.valid && velocity.v_radar.norm() < options_.ego_velocity.standing_speed;
+  // What stands now may have moved since the last pose, when that is some scans ago.
+  const bool may_have_moved = usual_interval_ > 0.0 &&
+                              time_since_registered_ + dt > 1.5 * usual_interval_ &&
+                              last_velocity_.norm() >= options_.ego_velocity.standing_speed;
+  const bool is_standing = !may_have_moved && velocity.valid &&
+                           velocity.v_radar.norm() < options_.ego_velocity.standing_speed;
   if (submap_->search() == nullptr) {
     // Nothing to register against yet: the first scan with enough returns starts the submap.
     result.T_world_radar = prediction.T_world_radar;
     const bool can_start =
         static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
-    result.status = can_start ? OdometryResult::Status::kRegistered
-                              : OdometryResult::Status::kPredicted;
+    result.status =
+        can_start ? OdometryResult::Status::kRegistered : OdometryResult::Status::kPredicted;
     if (!can_start) {
       result.reason = std::to_string(filtered.returns.size()) + " returns left, " +
                       std::to_string(options_.registration.min_gaussians) + " needed";
@@ -318,8 +356,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   } else {
     Register(scan, filtered, prediction, dt, &result);
   }
-  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid &&
-      scan.has_doppler && options_.ego_velocity.enabled && !velocity.reason.empty()) {
+  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid && scan.has_doppler &&
+      options_.ego_velocity.enabled && !velocity.reason.empty()) {
     result.reason = "ego velocity: " + velocity.reason;
   }
 
@@ -335,9 +373,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   }
   if (velocity.valid) last_velocity_ = velocity.v_radar;
   has_doppler_velocity_ = velocity.valid;
-  time_since_registered_ = result.status == OdometryResult::Status::kPredicted
-                               ? time_since_registered_ + dt
-                               : 0.0;
+  time_since_registered_ =
+      result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
   T_world_radar_ = result.T_world_radar;
   last_stamp_ns_ = scan.stamp_ns;
 
