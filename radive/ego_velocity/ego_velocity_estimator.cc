@@ -13,6 +13,7 @@
 
 #include "radive/factors/condensed_doppler_factor.h"
 #include "radive/factors/doppler_factor.h"
+#include "radive/preprocessing/occlusion_counts.h"
 #include "radive/solver/solve.h"
 #include "radive/util/random.h"
 
@@ -31,13 +32,18 @@ constexpr double kMinSlope = 0.3;
 // Lets the ridge stand for "nothing known" where the returns leave the vertical open.
 constexpr double kMinRidge = 1e-6;
 
-std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals, double gate) {
+std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals,
+                                     const Eigen::ArrayXd& noise_scale,
+                                     double gate) {
   std::vector<Eigen::Index> inliers;
   for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-    if (std::abs(residuals[i]) <= gate) inliers.push_back(i);
+    if (std::abs(residuals[i]) <= gate * noise_scale[i]) inliers.push_back(i);
   }
   return inliers;
 }
+
+// Largest Doppler residual of a return that can hide others [m/s].
+constexpr double kHidingGate = 0.5;
 
 std::string Format(const char* format, double a, double b, double c) {
   char text[160];
@@ -48,9 +54,11 @@ std::string Format(const char* format, double a, double b, double c) {
 }  // namespace
 
 EgoVelocityEstimator::EgoVelocityEstimator(const EgoVelocityOptions& options,
-                                           const SensorOptions& sensor)
+                                           const SensorOptions& sensor,
+                                           const OcclusionOptions& occlusion)
     : options_(options),
       sensor_(sensor),
+      occlusion_(occlusion),
       up_radar_(sensor.T_vehicle_radar().rotation.conjugate() * Eigen::Vector3d::UnitZ()) {
   std::string error;
   CHECK(options_.IsValid(&error)) << error;
@@ -121,24 +129,61 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
     fit.reason = "all returns lie in one direction";
     return fit;
   }
-  fit = Refine(equations, up_radar, equations.basis * hypothesis->velocity, vertical_ridge);
+  fit = Refine(equations,
+               up_radar,
+               equations.basis * hypothesis->velocity,
+               Eigen::ArrayXd::Ones(equations.size()),
+               vertical_ridge);
+  if (occlusion_.enabled) {
+    const EgoVelocity weighted = Refine(equations,
+                                        up_radar,
+                                        fit.v_radar,
+                                        OcclusionWeights(equations, fit.v_radar),
+                                        vertical_ridge);
+    if (weighted.num_inliers >= options_.min_inliers) fit = weighted;
+  }
   if (fit.reason.empty()) fit.reason = WhyUnusable(fit, equations, temporal_gate);
   return fit;
+}
+
+Eigen::ArrayXd EgoVelocityEstimator::OcclusionWeights(const DopplerEquations& equations,
+                                                      const Eigen::Vector3d& v_radar) const {
+  const Eigen::ArrayXd residuals = equations.Residuals(v_radar);
+  const auto n = static_cast<std::size_t>(equations.size());
+  std::vector<double> azimuths(n), ranges(n);
+  std::vector<bool> can_hide(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    azimuths[i] = std::atan2(equations.y[row], equations.x[row]);
+    ranges[i] = equations.range[row];
+    can_hide[i] = std::abs(residuals[row]) < kHidingGate;
+  }
+  const std::vector<int> counts = OcclusionCounts(azimuths, ranges, can_hide, occlusion_);
+  Eigen::ArrayXd weights(equations.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const double root = 1.0 / (1.0 + counts[i]);
+    weights[static_cast<Eigen::Index>(i)] = root * root;
+  }
+  return weights;
 }
 
 EgoVelocity EgoVelocityEstimator::Refine(const DopplerEquations& equations,
                                          const Eigen::Vector3d& up_radar,
                                          const Eigen::Vector3d& v_start,
+                                         const Eigen::ArrayXd& weights,
                                          double vertical_ridge) const {
   EgoVelocity fit;
   fit.v_radar = v_start;
   Eigen::ArrayXd residuals = equations.Residuals(fit.v_radar);
-  std::vector<Eigen::Index> inliers = WithinGate(residuals, options_.fit_gate);
+  Eigen::ArrayXd noise_scale = equations.NoiseScale(fit.v_radar, NoiseRatio());
+  std::vector<Eigen::Index> inliers = WithinGate(residuals, noise_scale, options_.fit_gate);
   for (int round = 0; round < kMaxRounds; ++round) {
     if (inliers.empty()) break;
-    fit.v_radar = LeastSquares(equations, inliers, up_radar, fit.v_radar, vertical_ridge);
+    fit.v_radar = LeastSquares(
+        equations, inliers, weights / noise_scale.square(), up_radar, fit.v_radar, vertical_ridge);
     residuals = equations.Residuals(fit.v_radar);
-    std::vector<Eigen::Index> next = WithinGate(residuals, options_.fit_gate);
+    noise_scale = equations.NoiseScale(fit.v_radar, NoiseRatio());
+    std::vector<Eigen::Index> next = WithinGate(residuals, noise_scale, options_.fit_gate);
     const bool is_settled = next == inliers;
     inliers = std::move(next);
     if (is_settled) break;
@@ -148,23 +193,33 @@ EgoVelocity EgoVelocityEstimator::Refine(const DopplerEquations& equations,
   double sum = 0.0;
   for (const Eigen::Index i : inliers) sum += residuals[i] * residuals[i];
   fit.residual_rms = std::sqrt(sum / static_cast<double>(inliers.size()));
-  fit.covariance = Covariance(equations, residuals, up_radar, vertical_ridge);
+  fit.covariance = Covariance(equations,
+                              residuals,
+                              noise_scale,
+                              weights / noise_scale.square(),
+                              up_radar,
+                              vertical_ridge);
   return fit;
 }
 
 Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerEquations& equations,
                                                    const std::vector<Eigen::Index>& inliers,
+                                                   const Eigen::ArrayXd& weights,
                                                    const Eigen::Vector3d& up_radar,
                                                    const Eigen::Vector3d& v_start,
                                                    double vertical_ridge) const {
   CondensedDopplerFactor::Sum sum;
+  double sum_of_weights = 0.0;
   for (const Eigen::Index i : inliers) {
-    sum.Add(equations.Direction(i), equations.v_doppler[i], sensor_.sigma_doppler);
+    sum.Add(equations.Direction(i),
+            equations.v_doppler[i],
+            sensor_.sigma_doppler / std::sqrt(weights[i]));
+    sum_of_weights += weights[i];
   }
   Eigen::Vector3d v_radar = v_start;
   ceres::Problem problem;
   problem.AddResidualBlock(CondensedDopplerFactor::Create(sum), nullptr, v_radar.data());
-  const double ridge_returns = vertical_ridge * static_cast<double>(inliers.size());
+  const double ridge_returns = vertical_ridge * sum_of_weights;
   problem.AddResidualBlock(
       DopplerFactor::Create(up_radar, 0.0, sensor_.sigma_doppler / std::sqrt(ridge_returns)),
       nullptr,
@@ -178,37 +233,42 @@ Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerEquations& equat
 //
 //   (A + R)^-1 (S / kappa^2 + R sigma_up^2 R) (A + R)^-1
 //
-// A      sum of d d' over the inliers
-// R      n vertical_ridge up up', which draws v_up of true size sigma_up to zero
-// S      sum of residual^2 d d' over the inliers: the noise as it is
+// A      sum of w d d' over the inliers, w their weights
+// R      (sum of w) vertical_ridge up up', which draws v_up of true size sigma_up to zero
+// S      sum of w^2 residual^2 d d' over the inliers: the noise as it is
 // kappa  how much of a shift of v the gated sum of residuals shows: 1 when the gate cuts nothing,
 //        less when returns lie at the edge of the gate and leave the sum as others enter
 Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equations,
                                                  const Eigen::ArrayXd& residuals,
+                                                 const Eigen::ArrayXd& noise_scale,
+                                                 const Eigen::ArrayXd& weights,
                                                  const Eigen::Vector3d& up_radar,
                                                  double vertical_ridge) const {
-  const double gate = options_.fit_gate;
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  double num_inliers = 0.0, num_at_edge = 0.0;
+  Eigen::Matrix3d S_prior = Eigen::Matrix3d::Zero();  // of noise sigma_doppler
+  double num_inliers = 0.0, num_at_edge = 0.0, sum_of_weights = 0.0;
+  const double variance = sensor_.sigma_doppler * sensor_.sigma_doppler;
   for (Eigen::Index i = 0; i < residuals.size(); ++i) {
     const double residual = std::abs(residuals[i]);
+    const double gate = options_.fit_gate * noise_scale[i];
     if (std::abs(residual - gate) <= 0.25 * gate) num_at_edge += 1.0;
     if (!(residual <= gate)) continue;
     const Eigen::Vector3d d = equations.Direction(i);
-    const Eigen::Matrix3d outer = d * d.transpose();
+    const Eigen::Matrix3d outer = weights[i] * d * d.transpose();
     A += outer;
-    S += residual * residual * outer;
+    S += weights[i] * residual * residual * outer;
+    S_prior += weights[i] * variance * noise_scale[i] * noise_scale[i] * outer;
     num_inliers += 1.0;
+    sum_of_weights += weights[i];
   }
   // Three parameters have been fitted to these residuals; the prior keeps small numbers honest.
-  const double variance = sensor_.sigma_doppler * sensor_.sigma_doppler;
   const double freedom = std::max(0.0, num_inliers - 3.0);
-  S = (S * num_inliers + A * variance * kPriorReturns) / (freedom + kPriorReturns);
+  S = (S * num_inliers + S_prior * kPriorReturns) / (freedom + kPriorReturns);
   // Density of residuals at the edge times the width of the gate, over the inliers.
   const double kappa = std::max(kMinSlope, 1.0 - 2.0 * num_at_edge / num_inliers);
   const double sigma_up = options_.vertical_sigma;
-  const Eigen::Matrix3d R = num_inliers * vertical_ridge * up_radar * up_radar.transpose();
+  const Eigen::Matrix3d R = sum_of_weights * vertical_ridge * up_radar * up_radar.transpose();
   const Eigen::Matrix3d inverse = (A + R).completeOrthogonalDecomposition().pseudoInverse();
   const Eigen::Matrix3d covariance =
       inverse * (S / (kappa * kappa) + sigma_up * sigma_up * R * R.transpose()) * inverse;
@@ -222,8 +282,10 @@ Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equatio
 // residuals.
 double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
                                              const DopplerEquations& equations) const {
+  const Eigen::ArrayXd gates =
+      options_.fit_gate * equations.NoiseScale(fit.v_radar, NoiseRatio());
   const auto is_inlier =
-      (equations.Residuals(fit.v_radar).abs() <= options_.fit_gate).cast<double>().eval();
+      (equations.Residuals(fit.v_radar).abs() <= gates).cast<double>().eval();
   Eigen::Matrix2d information;
   information(0, 0) = (is_inlier * equations.first.square()).sum();
   information(1, 1) = (is_inlier * equations.second.square()).sum();

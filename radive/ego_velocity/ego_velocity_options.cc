@@ -19,6 +19,12 @@ std::vector<OptionField> EgoVelocityOptions::Fields() {
                   "m/s",
                   "Largest Doppler residual of returns that are kept for registration."}
           .Above(0.0),
+      OptionField{"sigma_angle",
+                  &sigma_angle,
+                  "rad",
+                  "Noise of the angles in the Doppler equation: widens gate and noise of returns "
+                  "across the direction of travel; 0 treats all alike."}
+          .AtLeast(0.0),
       OptionField{"temporal_gate",
                   &temporal_gate,
                   "m/s",

@@ -20,6 +20,11 @@ struct EgoVelocityOptions {
   // Largest Doppler residual of a return that registration gets to see [m/s].
   double keep_gate = 0.5;
 
+  // Standard deviation of the angles as far as they matter for the Doppler [rad]: a return across
+  // the direction of travel shows them by |d x v| times this, and its gates and its noise grow by
+  // sqrt(1 + (|d x v| sigma_angle / sigma_doppler)^2). 0: all returns alike.
+  double sigma_angle = 0.0;
+
   // Largest change of the horizontal velocity since the last good fit: a constant part, for noise
   // and for stamps that are a little off, and a part that grows with time. Without it a passing
   // car that owns most of the returns is taken for the street.

@@ -5,6 +5,7 @@
 
 #include <glog/logging.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
@@ -16,6 +17,14 @@ double VelocityDiscrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_ra
     return std::numeric_limits<double>::infinity();
   }
   return std::abs(-entry.position.dot(v_radar) / range - entry.doppler);
+}
+
+double DiscrepancyNoiseScale(const RadarReturn& entry,
+                             const Eigen::Vector3d& v_radar,
+                             double ratio) {
+  if (ratio == 0.0) return 1.0;
+  const double across = entry.position.cross(v_radar).norm() / entry.position.norm();
+  return std::hypot(1.0, across * ratio);
 }
 
 std::vector<double> DiscrepancyWeights(const std::vector<RadarReturn>& returns,
@@ -32,11 +41,13 @@ std::vector<double> DiscrepancyWeights(const std::vector<RadarReturn>& returns,
 
 std::vector<bool> KeepMask(const std::vector<RadarReturn>& returns,
                            const Eigen::Vector3d& v_radar,
-                           double keep_gate) {
+                           double keep_gate,
+                           double noise_ratio) {
   std::vector<bool> mask;
   mask.reserve(returns.size());
   for (const RadarReturn& entry : returns) {
-    mask.push_back(VelocityDiscrepancy(entry, v_radar) <= keep_gate);
+    mask.push_back(VelocityDiscrepancy(entry, v_radar) <=
+                   keep_gate * DiscrepancyNoiseScale(entry, v_radar, noise_ratio));
   }
   return mask;
 }

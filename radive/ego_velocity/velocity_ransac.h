@@ -19,10 +19,20 @@ struct DopplerEquations {
   Eigen::ArrayXd x, y, z;        // unit directions in the radar frame
   Eigen::ArrayXd first, second;  // their coordinates along the columns of `basis`
   Eigen::ArrayXd v_doppler;      // [m/s]
+  Eigen::ArrayXd range;          // [m]
   Eigen::Matrix<double, 3, 2> basis = Eigen::Matrix<double, 3, 2>::Zero();
 
   int size() const { return static_cast<int>(v_doppler.size()); }
   Eigen::Vector3d Direction(Eigen::Index i) const { return {x[i], y[i], z[i]}; }
+
+  // Growth of the Doppler noise of each return by that of its angles, see
+  // EgoVelocityOptions::sigma_angle. `ratio`: sigma_angle over sigma_doppler [s/m].
+  Eigen::ArrayXd NoiseScale(const Eigen::Vector3d& v_radar, double ratio) const {
+    if (ratio == 0.0) return Eigen::ArrayXd::Ones(size());
+    const Eigen::ArrayXd along = x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
+    const Eigen::ArrayXd across_squared = (v_radar.squaredNorm() - along.square()).max(0.0);
+    return (1.0 + across_squared * ratio * ratio).sqrt();
+  }
 
   // v_doppler + d . v of all returns [m/s].
   Eigen::ArrayXd Residuals(const Eigen::Vector3d& v_radar) const {

@@ -36,16 +36,22 @@ std::vector<OptionField> MotionOptions::Fields() {
        &no_slip,
        "-",
        "Prior of a road vehicle: the rear axle moves where it points (needs sensor.mount_*)."},
+      OptionField{"no_slip_sigma",
+                  &no_slip_sigma,
+                  "m/s",
+                  "Standard deviation of the rear axle's lateral velocity."}
+          .AtLeast(0.0),
       OptionField{"no_slip_floor",
                   &no_slip_floor,
                   "m",
-                  "Standard deviation of the lateral displacement between two scans."}
+                  "Standard deviation of its lateral displacement between two scans, besides."}
           .Above(0.0),
-      OptionField{"no_slip_ratio",
-                  &no_slip_ratio,
-                  "-",
-                  "Share of the distance driven that is added to no_slip_floor."}
-          .AtLeast(0.0),
+      OptionField{"slip_sigma",
+                  &slip_sigma,
+                  "rad",
+                  "Size of the slip angle that is followed online (road bank, mounting error)."}
+          .Above(0.0),
+      OptionField{"slip_time", &slip_time, "s", "Correlation time of that slip angle."}.Above(0.0),
       OptionField{"slip_compliance",
                   &slip_compliance,
                   "rad s^2/m",

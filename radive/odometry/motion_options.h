@@ -27,9 +27,14 @@ struct MotionOptions {
   // is; it drifts outwards by slip_compliance [rad] for each m/s^2 of lateral acceleration, which
   // moves the point without slip ahead by slip_compliance * v^2.
   bool no_slip = false;
-  double no_slip_floor = 0.01;     // standard deviation of a scan's lateral displacement [m]
-  double no_slip_ratio = 0.005;    // ... and its share of the distance driven [-]
-  double slip_compliance = 0.0;    // [rad s^2/m]
+  double no_slip_sigma = 0.1;    // standard deviation of the lateral velocity at the axle [m/s]
+  double no_slip_floor = 0.002;  // ... and of a scan's lateral displacement [m]
+  double slip_compliance = 0.003;  // [rad s^2/m]
+
+  // What else makes the vehicle move askew (bank of the road, error of the mounting angle) is
+  // followed online as a slip angle of this size and correlation time.
+  double slip_sigma = 0.00175;  // [rad]
+  double slip_time = 10.0;      // [s]
 
   // Attitude and height prior of a road vehicle (AttitudeHeightPriorFactor). 0: off.
   double attitude_sigma = 0.0;  // of roll and pitch against the start [rad]

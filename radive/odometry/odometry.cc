@@ -15,7 +15,9 @@
 #include "radive/ego_velocity/velocity_discrepancy.h"
 #include "radive/ndt/gaussian_builder.h"
 #include "radive/odometry/submap.h"
+#include "radive/odometry/vehicle_model.h"
 #include "radive/preprocessing/azimuth_bin_filter.h"
+#include "radive/preprocessing/occlusion_counts.h"
 #include "radive/preprocessing/preprocess.h"
 #include "radive/registration/ndt_registration.h"
 #include "radive/util/cell_key.h"
@@ -26,13 +28,10 @@ namespace {
 
 constexpr double kSecondsPerNanosecond = 1e-9;
 
-// How much worse a prediction gets with the time that no scan was seen, beyond what the velocity's
-// covariance says: the velocity and the turning rate change meanwhile.
-constexpr double kUnseenAcceleration = 0.15;  // share of t^2 in the position [m/s^2]
-constexpr double kUnseenRotationRate = 0.1;   // [rad/s]
-
-// Shortest lever from which lateral Doppler velocity makes a turning rate [m].
-constexpr double kMinLever = 1.0;
+// How much worse a prediction gets over a time t in which no scan was seen, beyond what the
+// covariance of the velocity says: the velocity and the turning rate change meanwhile.
+constexpr double kUnseenAcceleration = 0.15;  // the position by this times t^2 [m/s^2]
+constexpr double kUnseenRotationRate = 0.1;   // the attitude by this times t [rad/s]
 
 // Edge of the voxels that the map of a drive keeps one point of [m].
 constexpr double kMapResolution = 0.25;
@@ -76,18 +75,18 @@ class Odometry::Impl {
   // Where the radar should be, before the scan is looked at.
   struct Prediction {
     Rigid3 T_world_radar;
-    std::optional<RegistrationPriors::Translation> doppler;  // from the ego velocity
-    double speed = 0.0;                                      // [m/s]
+    Eigen::Vector3d v_mean = Eigen::Vector3d::Zero();  // radar frame half-way [m/s]
+    bool has_doppler = false;                          // v_mean is from the ego velocity
   };
 
   FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
-  // Time up to now in which no scan was seen, beyond the usual interval [s].
-  double UnseenTime(double dt) const {
-    return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
-  }
-  Eigen::Vector3d MeanRate(const EgoVelocity& velocity, double dt) const;
+  std::vector<RadarReturn> StaticReturns(const std::vector<RadarReturn>& returns,
+                                         const Eigen::Vector3d& v_radar) const;
   Prediction Predict(const EgoVelocity& velocity, double dt) const;
-  RegistrationPriors Priors(const Prediction& prediction, const RadarScan& scan, double dt) const;
+  RegistrationPriors Priors(const Prediction& prediction,
+                            const EgoVelocity& velocity,
+                            const RadarScan& scan,
+                            double dt) const;
   void Register(const RadarScan& scan,
                 const FilteredScan& filtered,
                 const Prediction& prediction,
@@ -95,29 +94,57 @@ class Odometry::Impl {
                 OdometryResult* result);
   bool IsKeyframe(const Rigid3& T_world_radar) const;
   void AddKeyframe(const Rigid3& T_world_radar, FilteredScan filtered);
-  Eigen::Vector3d UpRadar() const {
-    return T_vehicle_radar_.rotation.conjugate() * Eigen::Vector3d::UnitZ();
+  // A velocity to work with: measured, or the last good one, whose covariance has grown since.
+  static bool HasVelocity(const EgoVelocity& velocity) {
+    return velocity.valid || !velocity.covariance.isZero(0.0);
   }
 
   const OdometryOptions options_;
-  Rigid3 T_vehicle_radar_;  // of the radar that the first scan names
+  // For the radar that the first scan names.
+  std::optional<VehicleModel> vehicle_;
   std::optional<EgoVelocityEstimator> ego_velocity_;
   std::unique_ptr<Submap> submap_;
   tsl::robin_map<std::uint64_t, bool, CellKeyHash> map_cells_;
 
   int num_scans_ = 0;
   std::int64_t last_stamp_ns_ = 0;
-  Rigid3 T_world_radar_;                                     // of the last scan
-  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // radar frame [m/s]
-  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // radar frame [rad/s]
-  bool has_doppler_velocity_ = false;                        // last_velocity_ is measured
-  double time_since_registered_ = 0.0;                       // [s]
-  double usual_interval_ = 0.0;                              // between scans [s]
-  std::optional<Rigid3> T_world_keyframe_;                   // the last keyframe
+  Rigid3 T_world_radar_;                                       // of the last scan
+  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();    // radar frame [m/s]
+  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();        // radar frame [rad/s]
+  bool has_doppler_velocity_ = false;                          // last_velocity_ is measured
+  double time_since_registered_ = 0.0;                         // [s]
+  double usual_interval_ = 0.0;                                // between scans [s]
+  std::optional<Rigid3> T_world_keyframe_;                     // the last keyframe
   bool has_noted_doppler_ = false;
 };
 
-Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, OdometryResult* result) {
+std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarReturn>& returns,
+                                                       const Eigen::Vector3d& v_radar) const {
+  const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
+  const std::vector<bool> keep =
+      KeepMask(returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio);
+  std::vector<RadarReturn> kept;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i]) kept.push_back(returns[i]);
+  }
+  if (!options_.occlusion.enabled) return kept;
+
+  std::vector<double> azimuths, ranges;
+  for (const RadarReturn& radar_return : kept) {
+    azimuths.push_back(std::atan2(radar_return.position.y(), radar_return.position.x()));
+    ranges.push_back(radar_return.position.norm());
+  }
+  const std::vector<int> counts = OcclusionCounts(
+      azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
+  std::vector<RadarReturn> visible;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
+  }
+  return visible;
+}
+
+Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
+                                                    OdometryResult* result) {
   Stopwatch stopwatch;
   FilteredScan filtered;
   filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
@@ -125,19 +152,12 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, Odome
 
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
   if (use_doppler) {
-    result->ego_velocity = ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
-    if (result->ego_velocity.valid) {
-      const std::vector<bool> keep =
-          KeepMask(filtered.returns, result->ego_velocity.v_radar, options_.ego_velocity.keep_gate);
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < keep.size(); ++i) {
-        if (keep[i]) filtered.returns[kept++] = filtered.returns[i];
-      }
-      filtered.returns.resize(kept);
-    } else {
-      // Without a velocity nothing tells static returns from moving ones.
-      filtered.returns.clear();
-    }
+    result->ego_velocity =
+        ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
+    // Without a velocity nothing tells static returns from moving ones.
+    filtered.returns = HasVelocity(result->ego_velocity)
+                           ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
+                           : std::vector<RadarReturn>();
   } else if (!has_noted_doppler_) {
     has_noted_doppler_ = true;
     notes_.push_back(scan.has_doppler
@@ -157,62 +177,50 @@ Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, Odome
   return filtered;
 }
 
-// Turning rate since the last scan, radar frame [rad/s]: the last one, and over an outage, in which
-// it would grow stale, the mean of what the lateral Doppler velocity of a road vehicle says of both
-// ends. The rate between two scans is noisy, and an outage multiplies it by many scans.
-Eigen::Vector3d Odometry::Impl::MeanRate(const EgoVelocity& velocity, double dt) const {
-  const double lever = T_vehicle_radar_.translation.x();
-  if (!(UnseenTime(dt) > 2.0 * usual_interval_) || !velocity.valid || !has_doppler_velocity_ ||
-      !options_.motion.no_slip || std::abs(lever) < kMinLever) {
-    return last_rate_;
-  }
-  const Eigen::Vector3d v_mean = 0.5 * (last_velocity_ + velocity.v_radar);
-  const double yaw_rate = (T_vehicle_radar_.rotation * v_mean).y() / lever;
-  return T_vehicle_radar_.rotation.conjugate() * Eigen::Vector3d(0.0, 0.0, yaw_rate);
-}
-
 Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, double dt) const {
   Prediction prediction;
-  const Eigen::Vector3d rate = MeanRate(velocity, dt);
-  const Eigen::Quaterniond turn = QuaternionFromRotationVector(rate * dt);
+  prediction.v_mean = last_velocity_;
+  prediction.has_doppler = HasVelocity(velocity);
+  if (prediction.has_doppler) {
+    // Trapezoid: the mean of both ends, each in its own radar frame, belongs to the frame half-way.
+    prediction.v_mean = has_doppler_velocity_
+                            ? Eigen::Vector3d(0.5 * (last_velocity_ + velocity.v_radar))
+                            : velocity.v_radar;
+  }
+  Eigen::Vector3d rate = last_rate_;
+  if (const auto yaw_rate =
+          prediction.has_doppler ? vehicle_->YawRate(prediction.v_mean) : std::nullopt) {
+    const Eigen::Vector3d up = vehicle_->UpRadar();
+    rate += up * (*yaw_rate - up.dot(rate));
+  }
   const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
-  Eigen::Vector3d v_mean = last_velocity_;
-  if (velocity.valid) {
-    // Trapezoid: the mean of both ends, each in its own radar frame, is the chord half-way.
-    v_mean = has_doppler_velocity_ ? Eigen::Vector3d(0.5 * (last_velocity_ + velocity.v_radar))
-                                   : velocity.v_radar;
-  }
-  prediction.speed = v_mean.norm();
-  const Eigen::Quaterniond q_world_middle = T_world_radar_.rotation * half_turn;
-  prediction.T_world_radar = {T_world_radar_.rotation * turn,
-                              T_world_radar_.translation + q_world_middle * (v_mean * dt)};
-  if (velocity.valid) {
-    const Eigen::Matrix3d R = q_world_middle.toRotationMatrix();
-    const double floor = options_.motion.doppler_floor;
-    const Eigen::Matrix3d covariance =
-        velocity.covariance + floor * floor * Eigen::Matrix3d::Identity();
-    const double unseen = UnseenTime(dt);
-    const double sigma_unseen = kUnseenAcceleration * unseen * unseen;
-    prediction.doppler = RegistrationPriors::Translation{
-        prediction.T_world_radar.translation,
-        dt * dt * R * covariance * R.transpose() +
-            sigma_unseen * sigma_unseen * Eigen::Matrix3d::Identity()};
-  }
+  prediction.T_world_radar = {
+      T_world_radar_.rotation * QuaternionFromRotationVector(dt * rate),
+      T_world_radar_.translation + T_world_radar_.rotation * (half_turn * (prediction.v_mean * dt))};
   return prediction;
 }
 
 RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
+                                          const EgoVelocity& velocity,
                                           const RadarScan& scan,
                                           double dt) const {
   const MotionOptions& motion = options_.motion;
   RegistrationPriors priors;
-  if (prediction.doppler && motion.doppler_prior) {
-    priors.translations.push_back(*prediction.doppler);
+  if (prediction.has_doppler && motion.doppler_prior) {
+    const double floor = motion.doppler_floor;
+    const double unseen = usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
+    const double sigma_unseen = kUnseenAcceleration * unseen * unseen;
+    priors.displacement = RegistrationPriors::Displacement{
+        T_world_radar_,
+        prediction.v_mean * dt,
+        dt * dt * (velocity.covariance + floor * floor * Eigen::Matrix3d::Identity()) +
+            sigma_unseen * sigma_unseen * Eigen::Matrix3d::Identity()};
   }
-  if (motion.low_speed_lambda > 0.0 && prediction.doppler &&
-      prediction.speed < motion.low_speed_limit) {
-    priors.translations.push_back({prediction.T_world_radar.translation,
-                                   Eigen::Matrix3d::Identity() / motion.low_speed_lambda});
+  if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
+      prediction.v_mean.norm() < motion.low_speed_limit) {
+    priors.translation =
+        RegistrationPriors::Translation{prediction.T_world_radar.translation,
+                                        Eigen::Matrix3d::Identity() / motion.low_speed_lambda};
   }
   if (motion.rotation_sigma_rate > 0.0) {
     const double sigma = motion.rotation_sigma_rate * dt;
@@ -220,27 +228,13 @@ RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
                                                    sigma * sigma * Eigen::Matrix3d::Identity()};
   }
   // The first radar frame is the world: the vehicle's up axis is the same in both.
+  const Eigen::Vector3d up = vehicle_->UpRadar();
   if (motion.attitude_sigma > 0.0 && motion.height_sigma > 0.0) {
-    priors.attitude_height = RegistrationPriors::AttitudeHeight{UpRadar(),
-                                                                UpRadar(),
-                                                                T_world_radar_.translation,
-                                                                motion.attitude_sigma,
-                                                                motion.height_sigma};
+    priors.attitude_height = RegistrationPriors::AttitudeHeight{
+        up, up, T_world_radar_.translation, motion.attitude_sigma, motion.height_sigma};
   }
-  if (motion.no_slip) {
-    RegistrationPriors::NoSlip prior;
-    prior.T_submap_radar0 = T_world_radar_;
-    prior.T_e_radar = T_vehicle_radar_;
-    const double distance = prediction.speed * dt;
-    // The point without slip lies ahead of the rear axle by compliance * v^2.
-    prior.T_e_radar.translation.x() -= motion.slip_compliance * prediction.speed * prediction.speed;
-    prior.lateral_offset = 0.0;
-    const double unseen = UnseenTime(dt);
-    prior.sigma = motion.no_slip_floor + motion.no_slip_ratio * distance +
-                  kUnseenAcceleration * unseen * unseen;
-    priors.no_slip = prior;
-  }
-  if (options_.registration.planar || scan.is_planar) priors.plane_normal = UpRadar();
+  priors.no_slip = vehicle_->Prior(T_world_radar_, prediction.v_mean, dt);
+  if (options_.registration.planar || scan.is_planar) priors.plane_normal = up;
   return priors;
 }
 
@@ -273,7 +267,7 @@ void Odometry::Impl::Register(const RadarScan& scan,
                                                       *submap_->search(),
                                                       prediction.T_world_radar,
                                                       slack,
-                                                      Priors(prediction, scan, dt),
+                                                      Priors(prediction, result->ego_velocity, scan, dt),
                                                       options_.pairs,
                                                       registration_options);
   result->num_pairs = registration.num_pairs;
@@ -285,6 +279,10 @@ void Odometry::Impl::Register(const RadarScan& scan,
   result->status = registration.converged ? OdometryResult::Status::kRegistered
                                           : OdometryResult::Status::kPredicted;
   result->reason = registration.message;
+  if (registration.converged) {
+    vehicle_->Update(
+        prediction.v_mean, dt, registration.lateral_residual, registration.lateral_variance);
+  }
   result->times_ms.pair_search = registration.pair_search_ms;
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
 }
@@ -318,8 +316,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   const bool is_first = result.index == 0;
   if (is_first) {
     const SensorOptions sensor = options_.sensor.ForRadar(scan.radar);
-    T_vehicle_radar_ = sensor.T_vehicle_radar();
-    ego_velocity_.emplace(options_.ego_velocity, sensor);
+    vehicle_.emplace(options_.motion, sensor.T_vehicle_radar());
+    ego_velocity_.emplace(options_.ego_velocity, sensor, options_.occlusion);
   }
   if (!is_first && scan.stamp_ns <= last_stamp_ns_) {
     result.status = OdometryResult::Status::kSkipped;
@@ -328,24 +326,25 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
     return result;
   }
   const double dt =
-      is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
+      is_first ? 0.0
+               : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
+  vehicle_->Advance(dt);
   FilteredScan filtered = Filter(scan, &result);
   const EgoVelocity& velocity = result.ego_velocity;
   const Prediction prediction = Predict(velocity, dt);
   // What stands now may have moved since the last pose, when that is some scans ago.
-  const bool may_have_moved = usual_interval_ > 0.0 &&
-                              time_since_registered_ + dt > 1.5 * usual_interval_ &&
-                              last_velocity_.norm() >= options_.ego_velocity.standing_speed;
-  const bool is_standing = !may_have_moved && velocity.valid &&
-                           velocity.v_radar.norm() < options_.ego_velocity.standing_speed;
+  const bool may_have_moved =
+      usual_interval_ > 0.0 && time_since_registered_ + dt > 1.5 * usual_interval_ &&
+      last_velocity_.norm() >= options_.ego_velocity.standing_speed;
+  const bool is_standing = velocity.is_standing && !may_have_moved;
   if (submap_->search() == nullptr) {
     // Nothing to register against yet: the first scan with enough returns starts the submap.
     result.T_world_radar = prediction.T_world_radar;
     const bool can_start =
         static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
-    result.status =
-        can_start ? OdometryResult::Status::kRegistered : OdometryResult::Status::kPredicted;
+    result.status = can_start ? OdometryResult::Status::kRegistered
+                              : OdometryResult::Status::kPredicted;
     if (!can_start) {
       result.reason = std::to_string(filtered.returns.size()) + " returns left, " +
                       std::to_string(options_.registration.min_gaussians) + " needed";
@@ -356,8 +355,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   } else {
     Register(scan, filtered, prediction, dt, &result);
   }
-  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid && scan.has_doppler &&
-      options_.ego_velocity.enabled && !velocity.reason.empty()) {
+  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid &&
+      scan.has_doppler && options_.ego_velocity.enabled && !velocity.reason.empty()) {
     result.reason = "ego velocity: " + velocity.reason;
   }
 
@@ -365,16 +364,17 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   if (dt > 0.0) {
     const Rigid3 T_last_now = T_world_radar_.Inverse() * result.T_world_radar;
     last_rate_ = RotationVector(T_last_now.rotation) / dt;
-    if (!velocity.valid) {
+    if (!HasVelocity(velocity)) {
       const Eigen::Quaterniond half_back = QuaternionFromRotationVector(-0.5 * dt * last_rate_);
       last_velocity_ = half_back * T_last_now.translation / dt;
     }
     usual_interval_ = usual_interval_ == 0.0 ? dt : std::min(1.1 * usual_interval_, dt);
   }
-  if (velocity.valid) last_velocity_ = velocity.v_radar;
-  has_doppler_velocity_ = velocity.valid;
-  time_since_registered_ =
-      result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
+  if (HasVelocity(velocity)) last_velocity_ = velocity.v_radar;
+  has_doppler_velocity_ = HasVelocity(velocity);
+  time_since_registered_ = result.status == OdometryResult::Status::kPredicted
+                               ? time_since_registered_ + dt
+                               : 0.0;
   T_world_radar_ = result.T_world_radar;
   last_stamp_ns_ = scan.stamp_ns;
 

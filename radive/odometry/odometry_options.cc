@@ -9,6 +9,7 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::S
   return {
       {"sensor", sensor.Fields()},
       {"preprocessing", preprocessing.Fields()},
+      {"occlusion", occlusion.Fields()},
       {"ego_velocity", ego_velocity.Fields()},
       {"ndt", ndt.Fields()},
       {"pairs", pairs.Fields()},
@@ -19,11 +20,10 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::S
 }
 
 bool OdometryOptions::IsValid(std::string* error) const {
-  OdometryOptions copy = *this;
-  for (const auto& [stage, fields] : copy.Stages()) {
-    if (!CheckFields(stage, fields, error)) return false;
-  }
-  return sensor.IsValid(error);
+  return sensor.IsValid(error) && preprocessing.IsValid(error) && occlusion.IsValid(error) &&
+         ego_velocity.IsValid(error) &&
+         ndt.IsValid(error) && pairs.IsValid(error) && registration.IsValid(error) &&
+         motion.IsValid(error) && submap.IsValid(error);
 }
 
 }  // namespace radive

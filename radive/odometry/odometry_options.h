@@ -12,6 +12,7 @@
 #include "radive/ndt/ndt_options.h"
 #include "radive/odometry/motion_options.h"
 #include "radive/odometry/submap_options.h"
+#include "radive/preprocessing/occlusion_options.h"
 #include "radive/preprocessing/preprocessing_options.h"
 #include "radive/registration/registration_options.h"
 #include "radive/sensor/sensor_options.h"
@@ -23,6 +24,7 @@ namespace radive {
 struct OdometryOptions {
   SensorOptions sensor;
   PreprocessingOptions preprocessing;
+  OcclusionOptions occlusion;
   EgoVelocityOptions ego_velocity;
   NdtOptions ndt;
   PairOptions pairs;

@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "radive/factors/attitude_height_prior_factor.h"
+#include "radive/factors/displacement_prior_factor.h"
 #include "radive/factors/no_slip_factor.h"
 #include "radive/factors/rotation_prior_factor.h"
 #include "radive/factors/translation_prior_factor.h"
@@ -32,12 +33,21 @@ Rigid3 Shifted(const Rigid3& T_submap_radar, const Eigen::Vector3d& origin) {
   return {T_submap_radar.rotation, T_submap_radar.translation - origin};
 }
 
-std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const RegistrationPriors& priors,
-                                                                   const Eigen::Vector3d& origin) {
+// The no-slip factor comes last, see lateral_variance.
+std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(
+    const RegistrationPriors& priors, const Eigen::Vector3d& origin) {
   std::vector<std::unique_ptr<ceres::CostFunction>> factors;
-  for (const RegistrationPriors::Translation& prior : priors.translations) {
-    factors.emplace_back(TranslationPriorFactor::Create(prior.t_submap_radar - origin,
-                                                        SqrtInformation<3>(prior.covariance)));
+  if (priors.translation) {
+    factors.emplace_back(
+        TranslationPriorFactor::Create(priors.translation->t_submap_radar - origin,
+                                       SqrtInformation<3>(priors.translation->covariance)));
+  }
+  if (priors.displacement) {
+    const RegistrationPriors::Displacement& prior = *priors.displacement;
+    factors.emplace_back(
+        DisplacementPriorFactor::Create(Shifted(prior.T_submap_radar0, origin),
+                                        prior.displacement,
+                                        SqrtInformation<3>(prior.covariance)));
   }
   if (priors.rotation) {
     factors.emplace_back(RotationPriorFactor::Create(
@@ -61,14 +71,20 @@ std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const Registr
   return factors;
 }
 
-// J^T J of a factor in the tangent space [rotation vector, translation].
-Matrix6d Information(const ceres::CostFunction& factor, const PoseBlock& pose) {
+// Residuals of a factor, and its Jacobian in the tangent space [rotation vector, translation].
+struct Linearised {
+  Eigen::VectorXd residuals;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> jacobian;
+};
+
+Linearised Linearise(const ceres::CostFunction& factor, const PoseBlock& pose) {
   const int rows = factor.num_residuals();
-  Eigen::VectorXd residuals(rows);
+  Linearised result;
+  result.residuals.resize(rows);
   Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> jacobian(rows, 7);
   const double* blocks[] = {pose.data()};
   double* jacobians[] = {jacobian.data()};
-  factor.Evaluate(blocks, residuals.data(), jacobians);
+  factor.Evaluate(blocks, result.residuals.data(), jacobians);
   // A rotation vector dr changes the quaternion by (dr / 2) q.
   Eigen::Matrix<double, 7, 6> ambient = Eigen::Matrix<double, 7, 6>::Zero();
   const Eigen::Quaterniond q(pose[3], pose[0], pose[1], pose[2]);
@@ -78,8 +94,8 @@ Matrix6d Information(const ceres::CostFunction& factor, const PoseBlock& pose) {
     ambient.block<4, 1>(0, i) = (half * q).coeffs();
     ambient(4 + i, 3 + i) = 1.0;
   }
-  const Eigen::Matrix<double, Eigen::Dynamic, 6> tangent = jacobian * ambient;
-  return tangent.transpose() * tangent;
+  result.jacobian = jacobian * ambient;
+  return result;
 }
 
 // Columns: the tangent directions that may move.
@@ -247,7 +263,17 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
     Matrix6d scatter =
         num_scan / std::max(1.0, num_scan - static_cast<double>(free.cols())) * quadratic.scatter;
     for (const auto& factor : prior_factors) {
-      const Matrix6d information = Information(*factor, pose);
+      const Linearised linearised = Linearise(*factor, pose);
+      if (priors.no_slip && factor == prior_factors.back()) {
+        // What everything else knows of the lateral displacement.
+        const double sigma = priors.no_slip->sigma;
+        const Eigen::RowVectorXd row = sigma * linearised.jacobian.row(0) * free;
+        Eigen::MatrixXd H = free.transpose() * hessian * free;
+        H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
+        result.lateral_residual = sigma * linearised.residuals[0];
+        result.lateral_variance = row.dot(H.llt().solve(row.transpose()));
+      }
+      const Matrix6d information = linearised.jacobian.transpose() * linearised.jacobian;
       hessian += information;
       curvature += information;
       scatter += information;

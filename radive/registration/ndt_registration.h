@@ -22,6 +22,11 @@ struct RegistrationPriors {
     Eigen::Vector3d t_submap_radar;  // [m]
     Eigen::Matrix3d covariance;      // [m^2]
   };
+  struct Displacement {
+    Rigid3 T_submap_radar0;        // the previous pose
+    Eigen::Vector3d displacement;  // chord in the radar frame half-way [m]
+    Eigen::Matrix3d covariance;    // [m^2]
+  };
   struct Rotation {
     Eigen::Quaterniond q_submap_radar;
     Eigen::Matrix3d covariance;  // of the rotation vector in the submap frame [rad^2]
@@ -40,7 +45,8 @@ struct RegistrationPriors {
     double sigma;            // [m]
   };
 
-  std::vector<Translation> translations;
+  std::optional<Translation> translation;
+  std::optional<Displacement> displacement;
   std::optional<Rotation> rotation;
   std::optional<AttitudeHeight> attitude_height;
   std::optional<NoSlip> no_slip;

@@ -35,6 +35,11 @@ struct RegistrationResult {
   std::vector<Eigen::Matrix<double, 6, 1>> weak_directions;
   bool degenerate() const { return !weak_directions.empty(); }
 
+  // With a no-slip prior: what remains of its residual, and the variance that all else leaves in
+  // the lateral displacement, from which the vehicle's slip is followed.
+  double lateral_residual = 0.0;  // [m]
+  double lateral_variance = 0.0;  // [m^2]
+
   double pair_search_ms = 0.0;
 };
 
