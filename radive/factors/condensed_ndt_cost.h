@@ -10,14 +10,9 @@
 
 #include "radive/factors/ndt_pair_factor.h"
 #include "radive/geometry/gaussian3.h"
+#include "radive/ndt/distance_bounded_pairs.h"
 
 namespace radive {
-
-// One correspondence: indices into the scan's and the submap's Gaussians.
-struct NdtPair {
-  int scan = 0;
-  int submap = 0;
-};
 
 // How the derivatives inside the condensed block are formed.
 enum class NdtDerivatives {

@@ -3,7 +3,35 @@
 
 #include "radive/odometry/odometry.h"
 
+#include <glog/logging.h>
+#include <tsl/robin_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "radive/ego_velocity/ego_velocity_estimator.h"
+#include "radive/ego_velocity/velocity_discrepancy.h"
+#include "radive/ndt/gaussian_builder.h"
+#include "radive/odometry/submap.h"
+#include "radive/odometry/vehicle_model.h"
+#include "radive/preprocessing/azimuth_bin_filter.h"
+#include "radive/preprocessing/occlusion_counts.h"
+#include "radive/preprocessing/preprocess.h"
+#include "radive/registration/ndt_registration.h"
+#include "radive/util/cell_key.h"
+#include "radive/util/stopwatch.h"
+
 namespace radive {
+namespace {
+
+constexpr double kSecondsPerNanosecond = 1e-9;
+
+// Edge of the voxels that the map of a drive keeps one point of [m].
+constexpr double kMapResolution = 0.25;
+
+}  // namespace
 
 const char* ToString(OdometryResult::Status status) {
   switch (status) {
@@ -21,25 +49,337 @@ const char* ToString(OdometryResult::Status status) {
 
 class Odometry::Impl {
  public:
-  explicit Impl(const OdometryOptions& options) : options_(options) {}
-  OdometryOptions options_;
-  int count_ = 0;
+  explicit Impl(const OdometryOptions& options)
+      : options_(options), submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
+    std::string error;
+    CHECK(options.IsValid(&error)) << error;
+  }
+
+  OdometryResult AddScan(const RadarScan& scan);
+
+  std::vector<Eigen::Vector3d> map_points_;
+  std::vector<std::string> notes_;
+
+ private:
+  // The returns that registration works with.
+  struct FilteredScan {
+    std::vector<RadarReturn> returns;
+    std::vector<double> weights;
+  };
+
+  // Where the radar should be, before the scan is looked at.
+  struct Prediction {
+    Rigid3 T_world_radar;
+    Eigen::Vector3d v_mean = Eigen::Vector3d::Zero();  // radar frame half-way [m/s]
+    bool has_doppler = false;                          // v_mean is from the ego velocity
+  };
+
+  FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
+  std::vector<RadarReturn> StaticReturns(const std::vector<RadarReturn>& returns,
+                                         const Eigen::Vector3d& v_radar) const;
+  Prediction Predict(const EgoVelocity& velocity, double dt) const;
+  RegistrationPriors Priors(const Prediction& prediction,
+                            const EgoVelocity& velocity,
+                            const RadarScan& scan,
+                            double dt) const;
+  void Register(const RadarScan& scan,
+                const FilteredScan& filtered,
+                const Prediction& prediction,
+                double dt,
+                OdometryResult* result);
+  bool IsKeyframe(const Rigid3& T_world_radar) const;
+  void AddKeyframe(const Rigid3& T_world_radar, FilteredScan filtered);
+  // A velocity to work with: measured, or the last good one, whose covariance has grown since.
+  static bool HasVelocity(const EgoVelocity& velocity) {
+    return velocity.valid || !velocity.covariance.isZero(0.0);
+  }
+
+  const OdometryOptions options_;
+  // For the radar that the first scan names.
+  std::optional<VehicleModel> vehicle_;
+  std::optional<EgoVelocityEstimator> ego_velocity_;
+  std::unique_ptr<Submap> submap_;
+  tsl::robin_map<std::uint64_t, bool, CellKeyHash> map_cells_;
+
+  int num_scans_ = 0;
+  std::int64_t last_stamp_ns_ = 0;
+  Rigid3 T_world_radar_;                                       // of the last scan
+  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();    // radar frame [m/s]
+  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();        // radar frame [rad/s]
+  bool has_doppler_velocity_ = false;                          // last_velocity_ is measured
+  double time_since_registered_ = 0.0;                         // [s]
+  double usual_interval_ = 0.0;                                // between scans [s]
+  std::optional<Rigid3> T_world_keyframe_;                     // the last keyframe
+  bool has_noted_doppler_ = false;
 };
+
+std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarReturn>& returns,
+                                                       const Eigen::Vector3d& v_radar) const {
+  const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
+  const std::vector<bool> keep =
+      KeepMask(returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio);
+  std::vector<RadarReturn> kept;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i]) kept.push_back(returns[i]);
+  }
+  if (!options_.occlusion.enabled) return kept;
+
+  std::vector<double> azimuths, ranges;
+  for (const RadarReturn& radar_return : kept) {
+    azimuths.push_back(std::atan2(radar_return.position.y(), radar_return.position.x()));
+    ranges.push_back(radar_return.position.norm());
+  }
+  const std::vector<int> counts = OcclusionCounts(
+      azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
+  std::vector<RadarReturn> visible;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
+  }
+  return visible;
+}
+
+Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
+                                                    OdometryResult* result) {
+  Stopwatch stopwatch;
+  FilteredScan filtered;
+  filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
+  result->times_ms.preprocessing = stopwatch.Lap();
+
+  const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
+  if (use_doppler) {
+    result->ego_velocity =
+        ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
+    // Without a velocity nothing tells static returns from moving ones.
+    filtered.returns = HasVelocity(result->ego_velocity)
+                           ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
+                           : std::vector<RadarReturn>();
+  } else if (!has_noted_doppler_) {
+    has_noted_doppler_ = true;
+    notes_.push_back(scan.has_doppler
+                         ? "ego velocity is switched off: no dynamic filter, no weights"
+                         : "scans carry no Doppler: ego velocity, dynamic filter and weights are "
+                           "off");
+  }
+  result->times_ms.ego_velocity = stopwatch.Lap();
+  filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
+  filtered.weights = use_doppler && options_.ego_velocity.weights
+                         ? DiscrepancyWeights(filtered.returns,
+                                              result->ego_velocity.v_radar,
+                                              options_.ego_velocity.discrepancy_scale)
+                         : std::vector<double>(filtered.returns.size(), 1.0);
+  result->num_kept = static_cast<int>(filtered.returns.size());
+  result->times_ms.preprocessing += stopwatch.Lap();
+  return filtered;
+}
+
+Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, double dt) const {
+  Prediction prediction;
+  prediction.v_mean = last_velocity_;
+  prediction.has_doppler = HasVelocity(velocity);
+  if (prediction.has_doppler) {
+    // Trapezoid: the mean of both ends, each in its own radar frame, belongs to the frame half-way.
+    prediction.v_mean = has_doppler_velocity_
+                            ? Eigen::Vector3d(0.5 * (last_velocity_ + velocity.v_radar))
+                            : velocity.v_radar;
+  }
+  Eigen::Vector3d rate = last_rate_;
+  if (const auto yaw_rate =
+          prediction.has_doppler ? vehicle_->YawRate(prediction.v_mean) : std::nullopt) {
+    const Eigen::Vector3d up = vehicle_->UpRadar();
+    rate += up * (*yaw_rate - up.dot(rate));
+  }
+  const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
+  prediction.T_world_radar = {
+      T_world_radar_.rotation * QuaternionFromRotationVector(dt * rate),
+      T_world_radar_.translation + T_world_radar_.rotation * (half_turn * (prediction.v_mean * dt))};
+  return prediction;
+}
+
+RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
+                                          const EgoVelocity& velocity,
+                                          const RadarScan& scan,
+                                          double dt) const {
+  const MotionOptions& motion = options_.motion;
+  RegistrationPriors priors;
+  if (prediction.has_doppler && motion.doppler_prior) {
+    const double floor = motion.doppler_floor;
+    priors.displacement = RegistrationPriors::Displacement{
+        T_world_radar_,
+        prediction.v_mean * dt,
+        dt * dt * (velocity.covariance + floor * floor * Eigen::Matrix3d::Identity())};
+  }
+  if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
+      prediction.v_mean.norm() < motion.low_speed_limit) {
+    priors.translation =
+        RegistrationPriors::Translation{prediction.T_world_radar.translation,
+                                        Eigen::Matrix3d::Identity() / motion.low_speed_lambda};
+  }
+  if (motion.rotation_sigma_rate > 0.0) {
+    const double sigma = motion.rotation_sigma_rate * dt;
+    priors.rotation = RegistrationPriors::Rotation{prediction.T_world_radar.rotation,
+                                                   sigma * sigma * Eigen::Matrix3d::Identity()};
+  }
+  // The first radar frame is the world: the vehicle's up axis is the same in both.
+  const Eigen::Vector3d up = vehicle_->UpRadar();
+  if (motion.attitude_sigma > 0.0 && motion.height_sigma > 0.0) {
+    priors.attitude_height = RegistrationPriors::AttitudeHeight{
+        up, up, T_world_radar_.translation, motion.attitude_sigma, motion.height_sigma};
+  }
+  priors.no_slip = vehicle_->Prior(T_world_radar_, prediction.v_mean, dt);
+  if (options_.registration.planar || scan.is_planar) priors.plane_normal = up;
+  return priors;
+}
+
+void Odometry::Impl::Register(const RadarScan& scan,
+                              const FilteredScan& filtered,
+                              const Prediction& prediction,
+                              double dt,
+                              OdometryResult* result) {
+  const Stopwatch stopwatch;
+  std::vector<Gaussian3> gaussians;
+  if (options_.ndt.representation == NdtOptions::Representation::kPoint) {
+    gaussians =
+        GaussiansOfReturns(filtered.returns, filtered.weights, options_.sensor, options_.ndt);
+  } else {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(filtered.returns.size());
+    for (const RadarReturn& radar_return : filtered.returns) {
+      points.push_back(radar_return.position);
+    }
+    gaussians = GaussiansOfVoxels(points, filtered.weights, options_.ndt);
+  }
+  result->num_gaussians = static_cast<int>(gaussians.size());
+  const double gap = std::max(0.0, time_since_registered_ + dt - usual_interval_);
+  const double slack = options_.pairs.slack + options_.motion.gap_slack_rate * gap;
+  const RegistrationResult registration = RegisterNdt(gaussians,
+                                                      *submap_->search(),
+                                                      prediction.T_world_radar,
+                                                      slack,
+                                                      Priors(prediction, result->ego_velocity, scan, dt),
+                                                      options_.pairs,
+                                                      options_.registration);
+  result->num_pairs = registration.num_pairs;
+  result->num_iterations = registration.num_iterations;
+  result->cost = registration.cost;
+  result->degenerate = registration.degenerate();
+  result->covariance = registration.covariance;
+  result->T_world_radar = registration.T_submap_radar;
+  result->status = registration.converged ? OdometryResult::Status::kRegistered
+                                          : OdometryResult::Status::kPredicted;
+  result->reason = registration.message;
+  if (registration.converged) {
+    vehicle_->Update(
+        prediction.v_mean, dt, registration.lateral_residual, registration.lateral_variance);
+  }
+  result->times_ms.pair_search = registration.pair_search_ms;
+  result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
+}
+
+bool Odometry::Impl::IsKeyframe(const Rigid3& T_world_radar) const {
+  if (!T_world_keyframe_) return true;
+  const Rigid3 T_keyframe_radar = T_world_keyframe_->Inverse() * T_world_radar;
+  return T_keyframe_radar.translation.norm() > options_.submap.keyframe_distance ||
+         RotationVector(T_keyframe_radar.rotation).norm() > options_.submap.keyframe_rotation;
+}
+
+void Odometry::Impl::AddKeyframe(const Rigid3& T_world_radar, FilteredScan filtered) {
+  T_world_keyframe_ = T_world_radar;
+  for (const RadarReturn& radar_return : filtered.returns) {
+    const Eigen::Vector3d p = T_world_radar * radar_return.position;
+    const Eigen::Vector3d cell = (p / kMapResolution).array().floor();
+    if (map_cells_.try_emplace(CellKey(cell.x(), cell.y(), cell.z()), true).second) {
+      map_points_.push_back(p);
+    }
+  }
+  submap_->AddKeyframe({T_world_radar, std::move(filtered.returns), std::move(filtered.weights)});
+}
+
+OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
+  const Stopwatch stopwatch;
+  OdometryResult result;
+  result.index = num_scans_++;
+  result.stamp_ns = scan.stamp_ns;
+  result.num_returns = static_cast<int>(scan.returns.size());
+  result.T_world_radar = T_world_radar_;
+  const bool is_first = result.index == 0;
+  if (is_first) {
+    const SensorOptions sensor = options_.sensor.ForRadar(scan.radar);
+    vehicle_.emplace(options_.motion, sensor.T_vehicle_radar());
+    ego_velocity_.emplace(options_.ego_velocity, sensor, options_.occlusion);
+  }
+  if (!is_first && scan.stamp_ns <= last_stamp_ns_) {
+    result.status = OdometryResult::Status::kSkipped;
+    result.reason = scan.stamp_ns == last_stamp_ns_ ? "stamp repeats" : "stamp goes back";
+    result.times_ms.total = stopwatch.Milliseconds();
+    return result;
+  }
+  const double dt =
+      is_first ? 0.0
+               : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
+
+  vehicle_->Advance(dt);
+  FilteredScan filtered = Filter(scan, &result);
+  const EgoVelocity& velocity = result.ego_velocity;
+  const Prediction prediction = Predict(velocity, dt);
+  const bool is_standing =
+      velocity.is_standing;
+  if (submap_->search() == nullptr) {
+    // Nothing to register against yet: the first scan with enough returns starts the submap.
+    result.T_world_radar = prediction.T_world_radar;
+    const bool can_start =
+        static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
+    result.status = can_start ? OdometryResult::Status::kRegistered
+                              : OdometryResult::Status::kPredicted;
+    if (!can_start) {
+      result.reason = std::to_string(filtered.returns.size()) + " returns left, " +
+                      std::to_string(options_.registration.min_gaussians) + " needed";
+    }
+  } else if (is_standing) {
+    result.status = OdometryResult::Status::kStanding;
+    result.reason = "standing";
+  } else {
+    Register(scan, filtered, prediction, dt, &result);
+  }
+  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid &&
+      scan.has_doppler && options_.ego_velocity.enabled && !velocity.reason.empty()) {
+    result.reason = "ego velocity: " + velocity.reason;
+  }
+
+  // Motion for the next prediction.
+  if (dt > 0.0) {
+    const Rigid3 T_last_now = T_world_radar_.Inverse() * result.T_world_radar;
+    last_rate_ = RotationVector(T_last_now.rotation) / dt;
+    if (!HasVelocity(velocity)) {
+      const Eigen::Quaterniond half_back = QuaternionFromRotationVector(-0.5 * dt * last_rate_);
+      last_velocity_ = half_back * T_last_now.translation / dt;
+    }
+    usual_interval_ = usual_interval_ == 0.0 ? dt : std::min(1.1 * usual_interval_, dt);
+  }
+  if (HasVelocity(velocity)) last_velocity_ = velocity.v_radar;
+  has_doppler_velocity_ = HasVelocity(velocity);
+  time_since_registered_ = result.status == OdometryResult::Status::kPredicted
+                               ? time_since_registered_ + dt
+                               : 0.0;
+  T_world_radar_ = result.T_world_radar;
+  last_stamp_ns_ = scan.stamp_ns;
+
+  const Stopwatch submap_stopwatch;
+  if (result.status == OdometryResult::Status::kRegistered && IsKeyframe(T_world_radar_)) {
+    result.is_keyframe = true;
+    AddKeyframe(T_world_radar_, std::move(filtered));
+  }
+  result.times_ms.submap = submap_stopwatch.Milliseconds();
+  result.times_ms.total = stopwatch.Milliseconds();
+  return result;
+}
 
 Odometry::Odometry(const OdometryOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
-OdometryResult Odometry::AddScan(const RadarScan& scan) {
-  OdometryResult result;
-  result.index = impl_->count_++;
-  result.stamp_ns = scan.stamp_ns;
-  result.num_returns = static_cast<int>(scan.returns.size());
-  return result;
-}
-
-std::vector<Eigen::Vector3d> Odometry::MapPoints() const { return {}; }
-std::vector<std::string> Odometry::TakeNotes() { return {}; }
+OdometryResult Odometry::AddScan(const RadarScan& scan) { return impl_->AddScan(scan); }
+std::vector<Eigen::Vector3d> Odometry::MapPoints() const { return impl_->map_points_; }
+std::vector<std::string> Odometry::TakeNotes() { return std::exchange(impl_->notes_, {}); }
 
 }  // namespace radive

@@ -6,15 +6,24 @@
 namespace radive {
 
 std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::Stages() {
-  return {};
+  return {
+      {"sensor", sensor.Fields()},
+      {"preprocessing", preprocessing.Fields()},
+      {"occlusion", occlusion.Fields()},
+      {"ego_velocity", ego_velocity.Fields()},
+      {"ndt", ndt.Fields()},
+      {"pairs", pairs.Fields()},
+      {"registration", registration.Fields()},
+      {"motion", motion.Fields()},
+      {"submap", submap.Fields()},
+  };
 }
 
 bool OdometryOptions::IsValid(std::string* error) const {
-  OdometryOptions copy = *this;
-  for (const auto& [stage, fields] : copy.Stages()) {
-    if (!CheckFields(stage, fields, error)) return false;
-  }
-  return true;
+  return sensor.IsValid(error) && preprocessing.IsValid(error) && occlusion.IsValid(error) &&
+         ego_velocity.IsValid(error) &&
+         ndt.IsValid(error) && pairs.IsValid(error) && registration.IsValid(error) &&
+         motion.IsValid(error) && submap.IsValid(error);
 }
 
 }  // namespace radive

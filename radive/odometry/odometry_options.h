@@ -7,12 +7,31 @@
 #include <utility>
 #include <vector>
 
+#include "radive/ego_velocity/ego_velocity_options.h"
+#include "radive/ndt/distance_bounded_pairs.h"
+#include "radive/ndt/ndt_options.h"
+#include "radive/odometry/motion_options.h"
+#include "radive/odometry/submap_options.h"
+#include "radive/preprocessing/occlusion_options.h"
+#include "radive/preprocessing/preprocessing_options.h"
+#include "radive/registration/registration_options.h"
+#include "radive/sensor/sensor_options.h"
 #include "radive/util/option_field.h"
 
 namespace radive {
 
 // Options of the whole odometry: those of each stage.
 struct OdometryOptions {
+  SensorOptions sensor;
+  PreprocessingOptions preprocessing;
+  OcclusionOptions occlusion;
+  EgoVelocityOptions ego_velocity;
+  NdtOptions ndt;
+  PairOptions pairs;
+  RegistrationOptions registration;
+  MotionOptions motion;
+  SubmapOptions submap;
+
   // Threads for the parallel parts; results do not depend on it.
   int num_threads = 1;
 

@@ -3,81 +3,40 @@
 
 #include "radive/pipeline/doppler_sign.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
-#include "radive/util/random.h"
+#include "radive/ego_velocity/ego_velocity_estimator.h"
 
 namespace radive {
 namespace {
 
-constexpr double kGate = 0.5;        // Doppler residual of an inlier [m/s]
 constexpr double kMinSpeed = 1.0;    // of a moving scan [m/s]
 constexpr double kMinForward = 0.5;  // median forward component that decides [m/s]
-constexpr double kMinInlierShare = 0.5;
-constexpr std::size_t kMinReturns = 8;
-constexpr int kDraws = 50;
 constexpr int kMinMovingScans = 5;
 constexpr double kMinAgreement = 0.8;  // share of the moving scans that go the median's way
 
-// Least squares of doppler = -d . v over the chosen rows.
-Eigen::Vector3d SolveVelocity(const Eigen::MatrixX3d& directions,
-                              const Eigen::VectorXd& doppler,
-                              const std::vector<Eigen::Index>& rows) {
-  Eigen::Matrix3d normal = 1e-6 * Eigen::Matrix3d::Identity();  // a plane leaves z at zero
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const Eigen::Index row : rows) {
-    normal += directions.row(row).transpose() * directions.row(row);
-    right -= directions.row(row).transpose() * doppler[row];
-  }
-  return normal.ldlt().solve(right);
-}
-
-std::vector<Eigen::Index> Inliers(const Eigen::MatrixX3d& directions,
-                                  const Eigen::VectorXd& doppler,
-                                  const Eigen::Vector3d& v_radar) {
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index row = 0; row < doppler.size(); ++row) {
-    if (std::abs(doppler[row] + directions.row(row).dot(v_radar)) < kGate) rows.push_back(row);
-  }
-  return rows;
+// Every scan by itself, and only those whose returns clearly agree: a few are enough to decide.
+EgoVelocityOptions FitOptions() {
+  EgoVelocityOptions options;
+  options.fit_gate = 0.5;
+  options.keep_gate = 0.5;
+  options.temporal_gate = 0.0;
+  options.min_inlier_share = 0.5;
+  options.min_inliers = 8;
+  options.vertical_ridge = 0.0;  // which way is up in the radar is not known here
+  return options;
 }
 
 }  // namespace
 
 std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan) {
-  std::vector<const RadarReturn*> usable;
-  for (const RadarReturn& ret : scan.returns) {
-    if (ret.position.allFinite() && std::isfinite(ret.doppler) && ret.position.norm() > 1e-3) {
-      usable.push_back(&ret);
-    }
-  }
-  if (usable.size() < kMinReturns) return std::nullopt;
-  Eigen::MatrixX3d directions(usable.size(), 3);
-  Eigen::VectorXd doppler(usable.size());
-  for (std::size_t i = 0; i < usable.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    directions.row(row) = usable[i]->position.normalized().transpose();
-    doppler[row] = usable[i]->doppler;
-  }
-  Random random(1);
-  std::vector<Eigen::Index> best;
-  for (int draw = 0; draw < kDraws; ++draw) {
-    std::vector<Eigen::Index> sample;
-    for (int i = 0; i < 3; ++i) {
-      sample.push_back(static_cast<Eigen::Index>(random.Index(usable.size())));
-    }
-    std::vector<Eigen::Index> rows =
-        Inliers(directions, doppler, SolveVelocity(directions, doppler, sample));
-    if (rows.size() > best.size()) best = std::move(rows);
-  }
-  if (static_cast<double>(best.size()) < kMinInlierShare * static_cast<double>(usable.size())) {
-    return std::nullopt;
-  }
-  return SolveVelocity(directions, doppler, best);
+  EgoVelocityEstimator estimator(FitOptions(), SensorOptions());
+  const EgoVelocity fit = estimator.Estimate(scan.returns, scan.is_planar, scan.stamp_ns);
+  if (!fit.valid) return std::nullopt;
+  return fit.v_radar;
 }
 
 ScanSource::Status DopplerSignSource::ReadNext(RadarScan* scan) {

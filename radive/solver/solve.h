@@ -28,8 +28,9 @@ struct SolveSummary {
 // Minimises 1/2 sum rho(|r|^2) over the parameter blocks of `problem`, by Levenberg-Marquardt with
 // the damping lambda diag(H) of the paper. The only call of ceres::Solve in the project.
 //
-// Prints nothing. `options` must be valid. `callbacks` are called after each step, with the
-// parameter blocks up to date; they stay the caller's.
+// Prints no progress (Ceres itself logs failed evaluations through glog). `options` must be valid.
+// `callbacks` are called after each step, with the parameter blocks up to date; they stay the
+// caller's.
 SolveSummary Solve(const SolverOptions& options,
                    ceres::Problem* problem,
                    const std::vector<ceres::IterationCallback*>& callbacks = {});

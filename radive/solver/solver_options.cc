@@ -14,7 +14,7 @@ std::vector<OptionField> SolverOptions::Fields() {
                               "sparse_normal_cholesky",
                               "iterative_schur",
                               "cgnr"}),
-                  "",
+                  "-",
                   "How the linear system of each step is solved."},
       OptionField{"max_iterations", &max_iterations, "-", "Most Levenberg-Marquardt steps."}
           .AtLeast(1)

@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/ego_velocity/ego_velocity_estimator.h"
+
+#include <ceres/problem.h>
+#include <glog/logging.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "radive/factors/condensed_doppler_factor.h"
+#include "radive/factors/doppler_factor.h"
+#include "radive/preprocessing/occlusion_counts.h"
+#include "radive/solver/solve.h"
+#include "radive/util/random.h"
+
+namespace radive {
+namespace {
+
+constexpr int kMaxRounds = 6;
+
+// The noise that the covariance assumes starts from sigma_doppler, worth this many returns, so that
+// a handful of inliers that agree by chance does not claim to be exact.
+constexpr double kPriorReturns = 10.0;
+
+// Smallest slope of the estimating equation, see Covariance().
+constexpr double kMinSlope = 0.3;
+
+// Lets the ridge stand for "nothing known" where the returns leave the vertical open.
+constexpr double kMinRidge = 1e-6;
+
+std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals,
+                                     const Eigen::ArrayXd& noise_scale,
+                                     double gate) {
+  std::vector<Eigen::Index> inliers;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    if (std::abs(residuals[i]) <= gate * noise_scale[i]) inliers.push_back(i);
+  }
+  return inliers;
+}
+
+// Largest Doppler residual of a return that can hide others [m/s].
+constexpr double kHidingGate = 0.5;
+
+std::string Format(const char* format, double a, double b, double c) {
+  char text[160];
+  std::snprintf(text, sizeof(text), format, a, b, c);
+  return text;
+}
+
+}  // namespace
+
+EgoVelocityEstimator::EgoVelocityEstimator(const EgoVelocityOptions& options,
+                                           const SensorOptions& sensor,
+                                           const OcclusionOptions& occlusion)
+    : options_(options),
+      sensor_(sensor),
+      occlusion_(occlusion),
+      up_radar_(sensor.T_vehicle_radar().rotation.conjugate() * Eigen::Vector3d::UnitZ()) {
+  std::string error;
+  CHECK(options_.IsValid(&error)) << error;
+  CHECK(sensor_.IsValid(&error)) << error;
+  // The problem is linear: one undamped step solves it.
+  solver_options_.initial_trust_region_radius = 1e16;
+  solver_options_.max_iterations = 5;
+}
+
+EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& returns,
+                                           bool is_planar,
+                                           std::int64_t stamp_ns) {
+  ++num_scans_;
+  // A planar sensor sees the velocity in its own plane, however it is mounted.
+  const Eigen::Vector3d up_radar = is_planar ? Eigen::Vector3d::UnitZ() : up_radar_;
+  const double ridge = is_planar ? 1.0 : std::max(options_.vertical_ridge, kMinRidge);
+  const DopplerEquations equations = MakeDopplerEquations(returns, up_radar);
+  const std::optional<VelocityGate> gate = TemporalGate(equations, stamp_ns);
+
+  EgoVelocity result = Fit(equations, up_radar, gate, ridge);
+  result.num_returns = equations.size();
+  result.valid = result.reason.empty();
+  if (result.valid) {
+    const double speed = (equations.basis.transpose() * result.v_radar).norm();
+    result.is_standing = speed < options_.standing_speed;
+    last_good_ = LastGood{result.v_radar, result.covariance, stamp_ns};
+  } else if (last_good_) {
+    const double change = options_.max_acceleration * SecondsSinceLastGood(stamp_ns);
+    result.v_radar = last_good_->v_radar;
+    result.covariance = last_good_->covariance + change * change * Eigen::Matrix3d::Identity();
+  } else {
+    result.v_radar.setZero();
+    result.covariance.setZero();
+  }
+  return result;
+}
+
+double EgoVelocityEstimator::SecondsSinceLastGood(std::int64_t stamp_ns) const {
+  return std::max(0.0, 1e-9 * static_cast<double>(stamp_ns - last_good_->stamp_ns));
+}
+
+std::optional<VelocityGate> EgoVelocityEstimator::TemporalGate(const DopplerEquations& equations,
+                                                               std::int64_t stamp_ns) const {
+  if (!last_good_ || options_.temporal_gate == 0.0) return std::nullopt;
+  return VelocityGate{
+      equations.basis.transpose() * last_good_->v_radar,
+      options_.temporal_gate + options_.max_acceleration * SecondsSinceLastGood(stamp_ns)};
+}
+
+// Sets `reason` when there is no usable fit.
+EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
+                                      const Eigen::Vector3d& up_radar,
+                                      const std::optional<VelocityGate>& temporal_gate,
+                                      double vertical_ridge) {
+  EgoVelocity fit;
+  if (equations.size() < options_.min_inliers) {
+    fit.reason = Format("%.0f returns with Doppler, at least %.0f needed",
+                        equations.size(),
+                        options_.min_inliers,
+                        0.0);
+    return fit;
+  }
+  // Mixed so that neighbouring seeds and scans share no draws.
+  Random random(Random(static_cast<std::uint64_t>(options_.seed)).Bits() ^ num_scans_);
+  const std::optional<VelocityHypothesis> hypothesis =
+      DrawVelocity(equations, options_.fit_gate, options_.num_draws, temporal_gate, &random);
+  if (!hypothesis) {
+    fit.reason = "all returns lie in one direction";
+    return fit;
+  }
+  fit = Refine(equations,
+               up_radar,
+               equations.basis * hypothesis->velocity,
+               Eigen::ArrayXd::Ones(equations.size()),
+               vertical_ridge);
+  if (occlusion_.enabled) {
+    const EgoVelocity weighted = Refine(equations,
+                                        up_radar,
+                                        fit.v_radar,
+                                        OcclusionWeights(equations, fit.v_radar),
+                                        vertical_ridge);
+    if (weighted.num_inliers >= options_.min_inliers) fit = weighted;
+  }
+  if (fit.reason.empty()) fit.reason = WhyUnusable(fit, equations, temporal_gate);
+  return fit;
+}
+
+Eigen::ArrayXd EgoVelocityEstimator::OcclusionWeights(const DopplerEquations& equations,
+                                                      const Eigen::Vector3d& v_radar) const {
+  const Eigen::ArrayXd residuals = equations.Residuals(v_radar);
+  const auto n = static_cast<std::size_t>(equations.size());
+  std::vector<double> azimuths(n), ranges(n);
+  std::vector<bool> can_hide(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    azimuths[i] = std::atan2(equations.y[row], equations.x[row]);
+    ranges[i] = equations.range[row];
+    can_hide[i] = std::abs(residuals[row]) < kHidingGate;
+  }
+  const std::vector<int> counts = OcclusionCounts(azimuths, ranges, can_hide, occlusion_);
+  Eigen::ArrayXd weights(equations.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const double root = 1.0 / (1.0 + counts[i]);
+    weights[static_cast<Eigen::Index>(i)] = root * root;
+  }
+  return weights;
+}
+
+EgoVelocity EgoVelocityEstimator::Refine(const DopplerEquations& equations,
+                                         const Eigen::Vector3d& up_radar,
+                                         const Eigen::Vector3d& v_start,
+                                         const Eigen::ArrayXd& weights,
+                                         double vertical_ridge) const {
+  EgoVelocity fit;
+  fit.v_radar = v_start;
+  Eigen::ArrayXd residuals = equations.Residuals(fit.v_radar);
+  Eigen::ArrayXd noise_scale = equations.NoiseScale(fit.v_radar, NoiseRatio());
+  std::vector<Eigen::Index> inliers = WithinGate(residuals, noise_scale, options_.fit_gate);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    if (inliers.empty()) break;
+    fit.v_radar = LeastSquares(
+        equations, inliers, weights / noise_scale.square(), up_radar, fit.v_radar, vertical_ridge);
+    residuals = equations.Residuals(fit.v_radar);
+    noise_scale = equations.NoiseScale(fit.v_radar, NoiseRatio());
+    std::vector<Eigen::Index> next = WithinGate(residuals, noise_scale, options_.fit_gate);
+    const bool is_settled = next == inliers;
+    inliers = std::move(next);
+    if (is_settled) break;
+  }
+  fit.num_inliers = static_cast<int>(inliers.size());
+  if (inliers.empty()) return fit;
+  double sum = 0.0;
+  for (const Eigen::Index i : inliers) sum += residuals[i] * residuals[i];
+  fit.residual_rms = std::sqrt(sum / static_cast<double>(inliers.size()));
+  fit.covariance = Covariance(equations,
+                              residuals,
+                              noise_scale,
+                              weights / noise_scale.square(),
+                              up_radar,
+                              vertical_ridge);
+  return fit;
+}
+
+Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerEquations& equations,
+                                                   const std::vector<Eigen::Index>& inliers,
+                                                   const Eigen::ArrayXd& weights,
+                                                   const Eigen::Vector3d& up_radar,
+                                                   const Eigen::Vector3d& v_start,
+                                                   double vertical_ridge) const {
+  CondensedDopplerFactor::Sum sum;
+  double sum_of_weights = 0.0;
+  for (const Eigen::Index i : inliers) {
+    sum.Add(equations.Direction(i),
+            equations.v_doppler[i],
+            sensor_.sigma_doppler / std::sqrt(weights[i]));
+    sum_of_weights += weights[i];
+  }
+  Eigen::Vector3d v_radar = v_start;
+  ceres::Problem problem;
+  problem.AddResidualBlock(CondensedDopplerFactor::Create(sum), nullptr, v_radar.data());
+  const double ridge_returns = vertical_ridge * sum_of_weights;
+  problem.AddResidualBlock(
+      DopplerFactor::Create(up_radar, 0.0, sensor_.sigma_doppler / std::sqrt(ridge_returns)),
+      nullptr,
+      v_radar.data());
+  Solve(solver_options_, &problem);
+  return v_radar;
+}
+
+// Covariance of the gated least squares as an M-estimator, whatever the distribution of the noise
+// (it is larger for returns across the direction of travel, where errors of the angles count):
+//
+//   (A + R)^-1 (S / kappa^2 + R sigma_up^2 R) (A + R)^-1
+//
+// A      sum of w d d' over the inliers, w their weights
+// R      (sum of w) vertical_ridge up up', which draws v_up of true size sigma_up to zero
+// S      sum of w^2 residual^2 d d' over the inliers: the noise as it is
+// kappa  how much of a shift of v the gated sum of residuals shows: 1 when the gate cuts nothing,
+//        less when returns lie at the edge of the gate and leave the sum as others enter
+Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equations,
+                                                 const Eigen::ArrayXd& residuals,
+                                                 const Eigen::ArrayXd& noise_scale,
+                                                 const Eigen::ArrayXd& weights,
+                                                 const Eigen::Vector3d& up_radar,
+                                                 double vertical_ridge) const {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d S_prior = Eigen::Matrix3d::Zero();  // of noise sigma_doppler
+  double num_inliers = 0.0, num_at_edge = 0.0, sum_of_weights = 0.0;
+  const double variance = sensor_.sigma_doppler * sensor_.sigma_doppler;
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    const double residual = std::abs(residuals[i]);
+    const double gate = options_.fit_gate * noise_scale[i];
+    if (std::abs(residual - gate) <= 0.25 * gate) num_at_edge += 1.0;
+    if (!(residual <= gate)) continue;
+    const Eigen::Vector3d d = equations.Direction(i);
+    const Eigen::Matrix3d outer = weights[i] * d * d.transpose();
+    A += outer;
+    S += weights[i] * residual * residual * outer;
+    S_prior += weights[i] * variance * noise_scale[i] * noise_scale[i] * outer;
+    num_inliers += 1.0;
+    sum_of_weights += weights[i];
+  }
+  // Three parameters have been fitted to these residuals; the prior keeps small numbers honest.
+  const double freedom = std::max(0.0, num_inliers - 3.0);
+  S = (S * num_inliers + S_prior * kPriorReturns) / (freedom + kPriorReturns);
+  // Density of residuals at the edge times the width of the gate, over the inliers.
+  const double kappa = std::max(kMinSlope, 1.0 - 2.0 * num_at_edge / num_inliers);
+  const double sigma_up = options_.vertical_sigma;
+  const Eigen::Matrix3d R = sum_of_weights * vertical_ridge * up_radar * up_radar.transpose();
+  const Eigen::Matrix3d inverse = (A + R).completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::Matrix3d covariance =
+      inverse * (S / (kappa * kappa) + sigma_up * sigma_up * R * R.transpose()) * inverse;
+  const double common_variance = options_.common_sigma * options_.common_sigma;
+  return 0.5 * (covariance + covariance.transpose()) +
+         common_variance * Eigen::Matrix3d::Identity();
+}
+
+// Standard deviation of the fit in the weakest horizontal direction [m/s]; infinite when the
+// inliers leave it open. The covariance alone would not tell: it is zero there, for want of
+// residuals.
+double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
+                                             const DopplerEquations& equations) const {
+  const Eigen::ArrayXd gates =
+      options_.fit_gate * equations.NoiseScale(fit.v_radar, NoiseRatio());
+  const auto is_inlier =
+      (equations.Residuals(fit.v_radar).abs() <= gates).cast<double>().eval();
+  Eigen::Matrix2d information;
+  information(0, 0) = (is_inlier * equations.first.square()).sum();
+  information(1, 1) = (is_inlier * equations.second.square()).sum();
+  information(0, 1) = (is_inlier * equations.first * equations.second).sum();
+  information(1, 0) = information(0, 1);
+  const Eigen::Matrix2d covariance = equations.basis.transpose() * fit.covariance * equations.basis;
+  const double weakest =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1];
+  return std::max(std::sqrt(std::max(0.0, largest)),
+                  sensor_.sigma_doppler / std::sqrt(std::max(0.0, weakest)));
+}
+
+// Empty when the fit is usable.
+std::string EgoVelocityEstimator::WhyUnusable(
+    const EgoVelocity& fit,
+    const DopplerEquations& equations,
+    const std::optional<VelocityGate>& temporal_gate) const {
+  const double needed =
+      std::max<double>(options_.min_inliers, options_.min_inlier_share * equations.size());
+  if (fit.num_inliers < needed) {
+    return Format("only %.0f of %.0f returns agree on a velocity, %.0f needed",
+                  fit.num_inliers,
+                  equations.size(),
+                  std::ceil(needed));
+  }
+  const double sigma = HorizontalSigma(fit, equations);
+  if (!(sigma <= options_.max_sigma)) {
+    return Format(
+        "the returns lie too close to one direction: standard deviation %.2f m/s across "
+        "it, at most %.2f allowed",
+        sigma,
+        options_.max_sigma,
+        0.0);
+  }
+  const Eigen::Vector2d velocity = equations.basis.transpose() * fit.v_radar;
+  if (temporal_gate && !temporal_gate->Contains(velocity)) {
+    return Format("the velocity differs by %.2f m/s from the last one, at most %.2f allowed",
+                  (velocity - temporal_gate->center).norm(),
+                  temporal_gate->radius,
+                  0.0);
+  }
+  return "";
+}
+
+}  // namespace radive

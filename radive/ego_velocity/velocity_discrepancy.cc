@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/ego_velocity/velocity_discrepancy.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+namespace radive {
+
+double VelocityDiscrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_radar) {
+  const double range = entry.position.norm();
+  if (!(range > 0.0) || !std::isfinite(range) || !std::isfinite(entry.doppler)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::abs(-entry.position.dot(v_radar) / range - entry.doppler);
+}
+
+double DiscrepancyNoiseScale(const RadarReturn& entry,
+                             const Eigen::Vector3d& v_radar,
+                             double ratio) {
+  if (ratio == 0.0) return 1.0;
+  const double across = entry.position.cross(v_radar).norm() / entry.position.norm();
+  return std::hypot(1.0, across * ratio);
+}
+
+std::vector<double> DiscrepancyWeights(const std::vector<RadarReturn>& returns,
+                                       const Eigen::Vector3d& v_radar,
+                                       double scale) {
+  CHECK_GT(scale, 0.0);
+  std::vector<double> weights;
+  weights.reserve(returns.size());
+  for (const RadarReturn& entry : returns) {
+    weights.push_back(std::exp(-VelocityDiscrepancy(entry, v_radar) / scale));
+  }
+  return weights;
+}
+
+std::vector<bool> KeepMask(const std::vector<RadarReturn>& returns,
+                           const Eigen::Vector3d& v_radar,
+                           double keep_gate,
+                           double noise_ratio) {
+  std::vector<bool> mask;
+  mask.reserve(returns.size());
+  for (const RadarReturn& entry : returns) {
+    mask.push_back(VelocityDiscrepancy(entry, v_radar) <=
+                   keep_gate * DiscrepancyNoiseScale(entry, v_radar, noise_ratio));
+  }
+  return mask;
+}
+
+}  // namespace radive

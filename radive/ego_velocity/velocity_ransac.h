@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "radive/sensor/radar_scan.h"
+#include "radive/util/random.h"
+
+namespace radive {
+
+// The Doppler of a scan as linear equations in the velocity of the radar, v_doppler = -d . v, for
+// the returns that have a direction and a Doppler. The horizontal part of a direction is its first
+// two coordinates in `basis`.
+struct DopplerEquations {
+  Eigen::ArrayXd x, y, z;        // unit directions in the radar frame
+  Eigen::ArrayXd first, second;  // their coordinates along the columns of `basis`
+  Eigen::ArrayXd v_doppler;      // [m/s]
+  Eigen::ArrayXd range;          // [m]
+  Eigen::Matrix<double, 3, 2> basis = Eigen::Matrix<double, 3, 2>::Zero();
+
+  int size() const { return static_cast<int>(v_doppler.size()); }
+  Eigen::Vector3d Direction(Eigen::Index i) const { return {x[i], y[i], z[i]}; }
+
+  // Growth of the Doppler noise of each return by that of its angles, see
+  // EgoVelocityOptions::sigma_angle. `ratio`: sigma_angle over sigma_doppler [s/m].
+  Eigen::ArrayXd NoiseScale(const Eigen::Vector3d& v_radar, double ratio) const {
+    if (ratio == 0.0) return Eigen::ArrayXd::Ones(size());
+    const Eigen::ArrayXd along = x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
+    const Eigen::ArrayXd across_squared = (v_radar.squaredNorm() - along.square()).max(0.0);
+    return (1.0 + across_squared * ratio * ratio).sqrt();
+  }
+
+  // v_doppler + d . v of all returns [m/s].
+  Eigen::ArrayXd Residuals(const Eigen::Vector3d& v_radar) const {
+    return v_doppler + x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
+  }
+};
+
+// `up_radar`: unit vector along the vertical of the vehicle, in the radar frame.
+DopplerEquations MakeDopplerEquations(const std::vector<RadarReturn>& returns,
+                                      const Eigen::Vector3d& up_radar);
+
+// A limit on the horizontal part of a velocity, as coordinates in the basis of the equations.
+struct VelocityGate {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  // [m/s]
+  double radius = 0.0;                               // [m/s]
+
+  bool Contains(const Eigen::Vector2d& velocity) const {
+    return (velocity - center).norm() <= radius;
+  }
+};
+
+struct VelocityHypothesis {
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // in the basis of the equations [m/s]
+  int num_inliers = 0;
+};
+
+// The horizontal velocity that most returns agree with, by RANSAC: `num_draws` hypotheses from two
+// returns each, which count the returns within `gate` [m/s] of them. Two returns and no vertical
+// velocity, because samples of three are ill-conditioned at the elevations of radars. Hypotheses
+// outside the temporal gate do not count; its center is a hypothesis itself. None when no draw
+// gives one.
+std::optional<VelocityHypothesis> DrawVelocity(const DopplerEquations& equations,
+                                               double gate,
+                                               int num_draws,
+                                               const std::optional<VelocityGate>& temporal_gate,
+                                               Random* random);
+
+}  // namespace radive

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "radive/geometry/gaussian3.h"
+#include "radive/geometry/rigid3.h"
+#include "radive/ndt/distance_bounded_pairs.h"
+#include "radive/ndt/ndt_options.h"
+#include "radive/odometry/submap_options.h"
+#include "radive/sensor/radar_scan.h"
+#include "radive/sensor/sensor_options.h"
+
+namespace radive {
+
+// A scan that the submap is made of.
+struct Keyframe {
+  Rigid3 T_world_radar;
+  std::vector<RadarReturn> returns;  // filtered, radar frame
+  std::vector<double> weights;       // velocity-discrepancy weights, one a return
+};
+
+// What a scan is registered against. Raw keyframe points now; extracted surface points can stand
+// in for them.
+class Submap {
+ public:
+  virtual ~Submap() = default;
+
+  virtual void AddKeyframe(Keyframe keyframe) = 0;
+
+  // Forgets all keyframes.
+  virtual void Clear() = 0;
+
+  // Search over the Gaussians of the submap, world frame; nullptr before the first keyframe. Valid
+  // until the next change.
+  virtual const PairSearch* search() const = 0;
+};
+
+std::unique_ptr<Submap> MakeSubmap(const SubmapOptions& options,
+                                   const NdtOptions& ndt,
+                                   const SensorOptions& sensor);
+
+}  // namespace radive

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/registration/ndt_registration.h"
+
+#include <ceres/ceres.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "radive/factors/attitude_height_prior_factor.h"
+#include "radive/factors/displacement_prior_factor.h"
+#include "radive/factors/no_slip_factor.h"
+#include "radive/factors/rotation_prior_factor.h"
+#include "radive/factors/translation_prior_factor.h"
+#include "radive/geometry/pose_manifold.h"
+#include "radive/geometry/sqrt_information.h"
+#include "radive/solver/solve.h"
+#include "radive/util/stopwatch.h"
+
+namespace radive {
+namespace {
+
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+// The pose is solved for relative to the prediction's position, so that the block's norm is about
+// one and a relative step tolerance is one in metres and radians.
+Rigid3 Shifted(const Rigid3& T_submap_radar, const Eigen::Vector3d& origin) {
+  return {T_submap_radar.rotation, T_submap_radar.translation - origin};
+}
+
+// The no-slip factor comes last, see lateral_variance.
+std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(
+    const RegistrationPriors& priors, const Eigen::Vector3d& origin) {
+  std::vector<std::unique_ptr<ceres::CostFunction>> factors;
+  if (priors.translation) {
+    factors.emplace_back(
+        TranslationPriorFactor::Create(priors.translation->t_submap_radar - origin,
+                                       SqrtInformation<3>(priors.translation->covariance)));
+  }
+  if (priors.displacement) {
+    const RegistrationPriors::Displacement& prior = *priors.displacement;
+    factors.emplace_back(
+        DisplacementPriorFactor::Create(Shifted(prior.T_submap_radar0, origin),
+                                        prior.displacement,
+                                        SqrtInformation<3>(prior.covariance)));
+  }
+  if (priors.rotation) {
+    factors.emplace_back(RotationPriorFactor::Create(
+        priors.rotation->q_submap_radar, SqrtInformation<3>(priors.rotation->covariance)));
+  }
+  if (priors.attitude_height) {
+    const RegistrationPriors::AttitudeHeight& prior = *priors.attitude_height;
+    factors.emplace_back(AttitudeHeightPriorFactor::Create(prior.up_radar,
+                                                           prior.up_submap,
+                                                           prior.t_reference - origin,
+                                                           prior.sigma_angle,
+                                                           prior.sigma_height));
+  }
+  if (priors.no_slip) {
+    const RegistrationPriors::NoSlip& prior = *priors.no_slip;
+    factors.emplace_back(NoSlipFactor::Create(Shifted(prior.T_submap_radar0, origin),
+                                              prior.T_e_radar,
+                                              prior.lateral_offset,
+                                              prior.sigma));
+  }
+  return factors;
+}
+
+// Residuals of a factor, and its Jacobian in the tangent space [rotation vector, translation].
+struct Linearised {
+  Eigen::VectorXd residuals;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> jacobian;
+};
+
+Linearised Linearise(const ceres::CostFunction& factor, const PoseBlock& pose) {
+  const int rows = factor.num_residuals();
+  Linearised result;
+  result.residuals.resize(rows);
+  Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> jacobian(rows, 7);
+  const double* blocks[] = {pose.data()};
+  double* jacobians[] = {jacobian.data()};
+  factor.Evaluate(blocks, result.residuals.data(), jacobians);
+  // A rotation vector dr changes the quaternion by (dr / 2) q.
+  Eigen::Matrix<double, 7, 6> ambient = Eigen::Matrix<double, 7, 6>::Zero();
+  const Eigen::Quaterniond q(pose[3], pose[0], pose[1], pose[2]);
+  for (int i = 0; i < 3; ++i) {
+    Eigen::Quaterniond half(0.0, 0.0, 0.0, 0.0);
+    half.coeffs()[i] = 0.5;
+    ambient.block<4, 1>(0, i) = (half * q).coeffs();
+    ambient(4 + i, 3 + i) = 1.0;
+  }
+  result.jacobian = jacobian * ambient;
+  return result;
+}
+
+// Columns: the tangent directions that may move.
+Eigen::MatrixXd FreeDirections(const RegistrationPriors& priors) {
+  if (!priors.plane_normal) return Matrix6d::Identity();
+  const Eigen::Vector3d n = priors.plane_normal->normalized();
+  const Eigen::Vector3d seed =
+      std::abs(n.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  Eigen::Matrix<double, 6, 3> free = Eigen::Matrix<double, 6, 3>::Zero();
+  free.block<3, 1>(0, 0) = n;
+  free.block<3, 1>(3, 1) = (seed - n * n.dot(seed)).normalized();
+  free.block<3, 1>(3, 2) = n.cross(free.block<3, 1>(3, 1));
+  return free;
+}
+
+// Sandwich covariance within the span of `free`.
+Matrix6d SandwichCovariance(const Matrix6d& hessian,
+                            const Matrix6d& scatter,
+                            const Eigen::MatrixXd& free) {
+  Eigen::MatrixXd H = free.transpose() * hessian * free;
+  H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
+  const Eigen::MatrixXd bread = H.llt().solve(free.transpose());
+  Matrix6d covariance = bread.transpose() * (free.transpose() * scatter * free) * bread;
+  return 0.5 * (covariance + covariance.transpose());
+}
+
+// Directions in which the data alone say little: eigenvectors of the marginal covariances of
+// rotation and translation beyond the limits.
+std::vector<Eigen::Matrix<double, 6, 1>> WeakDirections(const Matrix6d& data_hessian,
+                                                        const Eigen::MatrixXd& free,
+                                                        const RegistrationOptions& options) {
+  Eigen::MatrixXd H = free.transpose() * data_hessian * free;
+  H.diagonal().array() += 1e-9;
+  const Matrix6d covariance =
+      free * H.llt().solve(Eigen::MatrixXd::Identity(H.rows(), H.cols())) * free.transpose();
+  std::vector<Eigen::Matrix<double, 6, 1>> weak;
+  const double limits[] = {options.degenerate_rotation, options.degenerate_translation};
+  for (int part = 0; part < 2; ++part) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+        covariance.block<3, 3>(3 * part, 3 * part));
+    for (int i = 0; i < 3; ++i) {
+      if (eigen.eigenvalues()[i] <= limits[part] * limits[part]) continue;
+      Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Zero();
+      direction.segment<3>(3 * part) = eigen.eigenvectors().col(i);
+      weak.push_back(direction);
+    }
+  }
+  return weak;
+}
+
+SolverOptions MakeSolverOptions(const RegistrationOptions& options) {
+  SolverOptions solver;
+  solver.linear_solver = SolverOptions::LinearSolver::kDenseQr;
+  solver.max_iterations = options.max_iterations;
+  // The cost holds a large constant, so a relative decrease means nothing: steps decide.
+  solver.function_tolerance = 1e-12;
+  solver.gradient_tolerance = 1e-12;
+  solver.parameter_tolerance = options.step_tolerance;
+  solver.initial_trust_region_radius = 1.0 / options.initial_lm_lambda;
+  return solver;
+}
+
+}  // namespace
+
+RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
+                               const PairSearch& search,
+                               const Rigid3& T_prediction,
+                               double slack,
+                               const RegistrationPriors& priors,
+                               const PairOptions& pair_options,
+                               const RegistrationOptions& options) {
+  RegistrationResult result;
+  result.T_submap_radar = T_prediction;
+  if (static_cast<int>(scan.size()) < options.min_gaussians) {
+    result.message = std::to_string(scan.size()) + " Gaussians in the scan, " +
+                     std::to_string(options.min_gaussians) + " needed";
+    return result;
+  }
+  const Eigen::Vector3d origin = T_prediction.translation;
+  const std::vector<std::unique_ptr<ceres::CostFunction>> prior_factors =
+      MakePriorFactors(priors, origin);
+  std::unique_ptr<ceres::Manifold> manifold;
+  if (priors.plane_normal) {
+    manifold = std::make_unique<PlanarPoseManifold>(*priors.plane_normal);
+  } else {
+    manifold = std::make_unique<PoseManifold>();
+  }
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  const SolverOptions solver_options = MakeSolverOptions(options);
+
+  PoseBlock pose = ToPoseBlock(Shifted(T_prediction, origin));
+  for (int association = 0; association < options.num_associations; ++association) {
+    const Stopwatch stopwatch;
+    Rigid3 T_submap_radar = FromPoseBlock(pose);
+    T_submap_radar.translation += origin;
+    // After the first solve the pose is far better than the prediction was.
+    const double slack_now = association == 0 ? slack : std::min(slack, 0.3);
+    const std::vector<NdtPair> pairs =
+        search.Find(scan, T_submap_radar, pair_options, slack_now);
+    result.pair_search_ms += stopwatch.Milliseconds();
+    result.num_pairs = static_cast<int>(pairs.size());
+    if (static_cast<int>(pairs.size()) < options.min_gaussians) {
+      result.message = std::to_string(pairs.size()) + " pairs with the submap, " +
+                       std::to_string(options.min_gaussians) + " needed";
+      return result;
+    }
+    const CondensedNdtCost ndt(
+        scan, search.submap(), pairs, origin, options.normalisation, options.derivatives);
+    ceres::Problem problem(ownership);
+    problem.AddParameterBlock(pose.data(), 7, manifold.get());
+    problem.AddResidualBlock(const_cast<CondensedNdtCost*>(&ndt), nullptr, pose.data());
+    for (const auto& factor : prior_factors) {
+      problem.AddResidualBlock(factor.get(), nullptr, pose.data());
+    }
+    const SolveSummary summary = Solve(solver_options, &problem);
+    result.num_iterations += summary.num_iterations;
+    if (!summary.usable) {
+      result.message = "solver: " + summary.message;
+      return result;
+    }
+    result.cost = summary.final_cost - ndt.offset();
+
+    if (association + 1 < options.num_associations) continue;
+    const NdtQuadratic quadratic = ndt.Quadratic(pose.data(), /*with_scatter=*/true);
+    Matrix6d hessian = quadratic.hessian;
+    Matrix6d scatter = quadratic.scatter;
+    const Eigen::MatrixXd free = FreeDirections(priors);
+    for (const auto& factor : prior_factors) {
+      const Linearised linearised = Linearise(*factor, pose);
+      if (priors.no_slip && factor == prior_factors.back()) {
+        // What everything else knows of the lateral displacement.
+        const double sigma = priors.no_slip->sigma;
+        const Eigen::RowVectorXd row = sigma * linearised.jacobian.row(0) * free;
+        Eigen::MatrixXd H = free.transpose() * hessian * free;
+        H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
+        result.lateral_residual = sigma * linearised.residuals[0];
+        result.lateral_variance = row.dot(H.llt().solve(row.transpose()));
+      }
+      const Matrix6d information = linearised.jacobian.transpose() * linearised.jacobian;
+      hessian += information;
+      scatter += information;
+    }
+    result.covariance = SandwichCovariance(hessian, scatter, free);
+    result.weak_directions = WeakDirections(quadratic.hessian, free, options);
+  }
+
+  Rigid3 T_submap_radar = FromPoseBlock(pose);
+  T_submap_radar.translation += origin;
+  const double moved = (T_submap_radar.translation - T_prediction.translation).norm();
+  const double turned =
+      RotationVector(T_submap_radar.rotation * T_prediction.rotation.conjugate()).norm();
+  if (!(moved <= options.max_correction && turned <= options.max_rotation_correction)) {
+    result.message = "result is " + std::to_string(moved) + " m and " + std::to_string(turned) +
+                     " rad from the prediction";
+    return result;
+  }
+  result.T_submap_radar = T_submap_radar;
+  result.converged = true;
+  return result;
+}
+
+}  // namespace radive
