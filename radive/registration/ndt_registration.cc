@@ -34,8 +34,8 @@ Rigid3 Shifted(const Rigid3& T_submap_radar, const Eigen::Vector3d& origin) {
 }
 
 // The no-slip factor comes last, see lateral_variance.
-std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(
-    const RegistrationPriors& priors, const Eigen::Vector3d& origin) {
+std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const RegistrationPriors& priors,
+                                                                   const Eigen::Vector3d& origin) {
   std::vector<std::unique_ptr<ceres::CostFunction>> factors;
   if (priors.translation) {
     factors.emplace_back(

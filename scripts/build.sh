@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Configures and builds into build/ (or $RADIVE_BUILD_DIR). Further arguments go to cmake's configure step.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+build=${RADIVE_BUILD_DIR:-build}
+launcher=()
+if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+set -x
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release "${launcher[@]}" "$@"
+cmake --build "$build" --parallel "$(nproc)"
