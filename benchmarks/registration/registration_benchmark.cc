@@ -15,7 +15,7 @@
 namespace radive {
 namespace {
 
-// Dense pairs as in configs of dense sensors: those in reach, but no more than ten a voxel.
+// Dense scans: more pairs a voxel, so that the benchmark has the 16 thousand of the design notes.
 PairOptions Pairs(bool dense) {
   PairOptions options;
   if (dense) {
