@@ -24,7 +24,7 @@ class SequenceRun {
       : config_(config),
         request_(request),
         stored_(source),
-        signed_source_(source, Eigen::Vector3d::UnitX()),
+        signed_source_(source, config.odometry.sensor),
         source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
                                                                               : source),
         odometry_(config.odometry),
