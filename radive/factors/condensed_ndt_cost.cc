@@ -52,9 +52,9 @@ struct SymmetricInverse {
 
 // A scan Gaussian at the current pose.
 struct Rotated {
-  Eigen::Vector3d offset;         // R mu_A: the lever of the rotation
-  Eigen::Vector3d mean;           // R mu_A + t
-  Eigen::Matrix3d covariance;     // R Sigma_A R^T
+  Eigen::Vector3d offset;      // R mu_A: the lever of the rotation
+  Eigen::Vector3d mean;        // R mu_A + t
+  Eigen::Matrix3d covariance;  // R Sigma_A R^T
 
   Rotated(const Gaussian3& gaussian, const Eigen::Matrix3d& R, const Eigen::Vector3d& t)
       : offset(R * gaussian.mean),
@@ -70,6 +70,18 @@ SymmetricInverse SigmaInverse(const Eigen::Matrix3d& a, const Target& b) {
           a(1, 1) + b.yy,
           a(1, 2) + b.yz,
           a(2, 2) + b.zz};
+}
+
+// H += J^T stiffness J with J = [-[R mu_A]_x, I], but for its lower left block.
+void AddAtLever(const Eigen::Matrix3d& stiffness, const Eigen::Matrix3d& lever, Matrix6d* H) {
+  const Eigen::Matrix3d cross = lever * stiffness;
+  H->topLeftCorner<3, 3>() += cross * lever.transpose();
+  H->topRightCorner<3, 3>() += cross;
+  H->bottomRightCorner<3, 3>() += stiffness;
+}
+
+void Symmetrise(Matrix6d* H) {
+  H->bottomLeftCorner<3, 3>() = H->topRightCorner<3, 3>().transpose();
 }
 
 // Beyond this squared Mahalanobis distance a pair has no more than 1e-13 of its weight: its cost is
@@ -146,9 +158,10 @@ NdtQuadratic CondensedNdtCost::AnalyticQuadratic(const double* pose, bool with_s
     const Rotated a(scan_[static_cast<std::size_t>(index)], R, t);
     const Eigen::Matrix3d& G = a.covariance;
     // All pairs of one scan Gaussian share the lever R mu_A, so their sums are formed in 3D first.
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();         // sum of p q
-    Eigen::Vector3d torque = Eigen::Vector3d::Zero();        // of the covariance terms
-    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();     // sum of p Sigma^-1
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();       // sum of p q
+    Eigen::Vector3d torque = Eigen::Vector3d::Zero();      // of the covariance terms
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();   // sum of p Sigma^-1
+    Eigen::Matrix3d off_centre = Eigen::Matrix3d::Zero();  // sum of p q q^T
     for (; k < pairs_.size() && pairs_[k].scan == index; ++k) {
       const Target& b = targets_[k];
       const Eigen::Vector3d delta = a.mean - b.mean;
@@ -165,24 +178,24 @@ NdtQuadratic CondensedNdtCost::AnalyticQuadratic(const double* pose, bool with_s
       const Eigen::Matrix3d inverse_matrix = inverse.Matrix();
       if (normalisation_ == NdtNormalisation::kPaper) {
         const Eigen::Matrix3d X = G * inverse_matrix;
-        torque +=
-            p * Eigen::Vector3d(X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0));
+        torque += p * Eigen::Vector3d(X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0));
       }
       stiffness += p * inverse_matrix;
+      if (with_scatter) off_centre += p * q * q.transpose();
     }
     Vector6d gradient;
     gradient.head<3>() = a.offset.cross(force) + torque;
     gradient.tail<3>() = force;
     result.gradient += gradient;
-    if (with_scatter) result.scatter += gradient * gradient.transpose();
-    // J = [-[R mu_A]_x, I]: H += J^T stiffness J.
     const Eigen::Matrix3d lever = Skew(a.offset);
-    const Eigen::Matrix3d cross = lever * stiffness;
-    result.hessian.topLeftCorner<3, 3>() += cross * lever.transpose();
-    result.hessian.topRightCorner<3, 3>() += cross;
-    result.hessian.bottomRightCorner<3, 3>() += stiffness;
+    AddAtLever(stiffness, lever, &result.hessian);
+    if (with_scatter) {
+      result.scatter += gradient * gradient.transpose();
+      AddAtLever(stiffness - off_centre, lever, &result.curvature);
+    }
   }
-  result.hessian.bottomLeftCorner<3, 3>() = result.hessian.topRightCorner<3, 3>().transpose();
+  Symmetrise(&result.hessian);
+  Symmetrise(&result.curvature);
   return result;
 }
 
@@ -224,8 +237,13 @@ NdtQuadratic CondensedNdtCost::AutodiffQuadratic(const double* pose, bool with_s
       double rho[3];
       NdtPairLoss(a.weight * factor.WellDepth()).Evaluate(r.squaredNorm(), rho);
       result.cost += 0.5 * rho[0];
-      gradient_of_scan += rho[1] * J.transpose() * r;
+      const Vector6d half_slope = J.transpose() * r;  // of |r|^2
+      gradient_of_scan += rho[1] * half_slope;
       result.hessian += rho[1] * J.transpose() * J;
+      if (with_scatter) {
+        result.curvature +=
+            rho[1] * J.transpose() * J + 2.0 * rho[2] * half_slope * half_slope.transpose();
+      }
     }
     result.gradient += gradient_of_scan;
     if (with_scatter) result.scatter += gradient_of_scan * gradient_of_scan.transpose();

@@ -27,8 +27,14 @@ struct NdtQuadratic {
   double cost = 0.0;                                                   // >= 0
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();  // PSD approximation
-  // Sum over scan Gaussians of g_i g_i^T, their single gradients: the scatter of a robust
-  // M-estimator, for its sandwich covariance H^-1 scatter H^-1. Filled on request.
+
+  // Filled on request, for the covariance of the minimum as that of a robust M-estimator,
+  // curvature^-1 scatter curvature^-1:
+  //
+  // The second derivative of the cost with Sigma held fixed. It is smaller than `hessian` by the
+  // pull of pairs that are off centre, and may be indefinite.
+  Eigen::Matrix<double, 6, 6> curvature = Eigen::Matrix<double, 6, 6>::Zero();
+  // Sum over scan Gaussians of g_i g_i^T, their single gradients.
   Eigen::Matrix<double, 6, 6> scatter = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
@@ -64,7 +70,7 @@ class CondensedNdtCost : public ceres::SizedCostFunction<7, 7> {
                 double* residuals,
                 double** jacobians) const override;
 
-  // What the block condenses, at `pose`.
+  // What the block condenses, at `pose`; with_scatter: curvature and scatter as well.
   NdtQuadratic Quadratic(const double* pose, bool with_scatter) const;
 
   // The constant C0: final costs are reported without it.

@@ -28,6 +28,12 @@ namespace {
 
 constexpr double kSecondsPerNanosecond = 1e-9;
 
+// How much worse a prediction gets with the time that no scan was seen, beyond what the velocity's
+// covariance says: the velocity and the turning rate change meanwhile.
+constexpr double kUnseenAcceleration = 0.15;  // share of t^2 in the position [m/s^2]
+constexpr double kUnseenRotationRate = 0.1;   // [rad/s]
+
+
 // Edge of the voxels that the map of a drive keeps one point of [m].
 constexpr double kMapResolution = 0.25;
 
@@ -77,6 +83,14 @@ class Odometry::Impl {
   FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
   std::vector<RadarReturn> StaticReturns(const std::vector<RadarReturn>& returns,
                                          const Eigen::Vector3d& v_radar) const;
+  // Time up to now in which no scan was seen, beyond the usual interval [s].
+  double UnseenTime(double dt) const {
+    return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
+  }
+  // Standard deviation of what the motion did in that time [m].
+  double UnseenSigma(double dt) const {
+    return kUnseenAcceleration * UnseenTime(dt) * UnseenTime(dt);
+  }
   Prediction Predict(const EgoVelocity& velocity, double dt) const;
   RegistrationPriors Priors(const Prediction& prediction,
                             const EgoVelocity& velocity,
@@ -103,13 +117,13 @@ class Odometry::Impl {
 
   int num_scans_ = 0;
   std::int64_t last_stamp_ns_ = 0;
-  Rigid3 T_world_radar_;                                       // of the last scan
-  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();    // radar frame [m/s]
-  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();        // radar frame [rad/s]
-  bool has_doppler_velocity_ = false;                          // last_velocity_ is measured
-  double time_since_registered_ = 0.0;                         // [s]
-  double usual_interval_ = 0.0;                                // between scans [s]
-  std::optional<Rigid3> T_world_keyframe_;                     // the last keyframe
+  Rigid3 T_world_radar_;                                     // of the last scan
+  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // radar frame [m/s]
+  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // radar frame [rad/s]
+  bool has_doppler_velocity_ = false;                        // last_velocity_ is measured
+  double time_since_registered_ = 0.0;                       // [s]
+  double usual_interval_ = 0.0;                              // between scans [s]
+  std::optional<Rigid3> T_world_keyframe_;                   // the last keyframe
   bool has_noted_doppler_ = false;
 };
 
@@ -138,8 +152,7 @@ std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarRe
   return visible;
 }
 
-Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan,
-                                                    OdometryResult* result) {
+Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, OdometryResult* result) {
   Stopwatch stopwatch;
   FilteredScan filtered;
   filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
@@ -203,10 +216,12 @@ RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
   RegistrationPriors priors;
   if (prediction.has_doppler && motion.doppler_prior) {
     const double floor = motion.doppler_floor;
+    const double variance =
+        dt * dt * floor * floor + UnseenSigma(dt) * UnseenSigma(dt);
     priors.displacement = RegistrationPriors::Displacement{
         T_world_radar_,
         prediction.v_mean * dt,
-        dt * dt * (velocity.covariance + floor * floor * Eigen::Matrix3d::Identity())};
+        dt * dt * velocity.covariance + variance * Eigen::Matrix3d::Identity()};
   }
   if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
       prediction.v_mean.norm() < motion.low_speed_limit) {
@@ -226,6 +241,7 @@ RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
         up, up, T_world_radar_.translation, motion.attitude_sigma, motion.height_sigma};
   }
   priors.no_slip = vehicle_->Prior(T_world_radar_, prediction.v_mean, dt);
+  if (priors.no_slip) priors.no_slip->sigma = std::hypot(priors.no_slip->sigma, UnseenSigma(dt));
   if (options_.registration.planar || scan.is_planar) priors.plane_normal = up;
   return priors;
 }
@@ -250,14 +266,18 @@ void Odometry::Impl::Register(const RadarScan& scan,
   }
   result->num_gaussians = static_cast<int>(gaussians.size());
   const double gap = std::max(0.0, time_since_registered_ + dt - usual_interval_);
-  const double slack = options_.pairs.slack + options_.motion.gap_slack_rate * gap;
+  const double growth = options_.motion.gap_slack_rate * gap;
+  const double slack = options_.pairs.slack + growth;
+  RegistrationOptions registration_options = options_.registration;
+  registration_options.max_correction += growth;
+  registration_options.max_rotation_correction += kUnseenRotationRate * gap;
   const RegistrationResult registration = RegisterNdt(gaussians,
                                                       *submap_->search(),
                                                       prediction.T_world_radar,
                                                       slack,
                                                       Priors(prediction, result->ego_velocity, scan, dt),
                                                       options_.pairs,
-                                                      options_.registration);
+                                                      registration_options);
   result->num_pairs = registration.num_pairs;
   result->num_iterations = registration.num_iterations;
   result->cost = registration.cost;
@@ -267,7 +287,7 @@ void Odometry::Impl::Register(const RadarScan& scan,
   result->status = registration.converged ? OdometryResult::Status::kRegistered
                                           : OdometryResult::Status::kPredicted;
   result->reason = registration.message;
-  if (registration.converged) {
+  if (registration.converged && UnseenTime(dt) < usual_interval_) {
     vehicle_->Update(
         prediction.v_mean, dt, registration.lateral_residual, registration.lateral_variance);
   }
@@ -314,22 +334,24 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
     return result;
   }
   const double dt =
-      is_first ? 0.0
-               : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
+      is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
   vehicle_->Advance(dt);
   FilteredScan filtered = Filter(scan, &result);
   const EgoVelocity& velocity = result.ego_velocity;
   const Prediction prediction = Predict(velocity, dt);
-  const bool is_standing =
-      velocity.is_standing;
+  // What stands now may have moved since the last pose, when that is some scans ago.
+  const bool may_have_moved = usual_interval_ > 0.0 &&
+                              time_since_registered_ + dt > 1.5 * usual_interval_ &&
+                              last_velocity_.norm() >= options_.ego_velocity.standing_speed;
+  const bool is_standing = velocity.is_standing && !may_have_moved;
   if (submap_->search() == nullptr) {
     // Nothing to register against yet: the first scan with enough returns starts the submap.
     result.T_world_radar = prediction.T_world_radar;
     const bool can_start =
         static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
-    result.status = can_start ? OdometryResult::Status::kRegistered
-                              : OdometryResult::Status::kPredicted;
+    result.status =
+        can_start ? OdometryResult::Status::kRegistered : OdometryResult::Status::kPredicted;
     if (!can_start) {
       result.reason = std::to_string(filtered.returns.size()) + " returns left, " +
                       std::to_string(options_.registration.min_gaussians) + " needed";
@@ -340,8 +362,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   } else {
     Register(scan, filtered, prediction, dt, &result);
   }
-  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid &&
-      scan.has_doppler && options_.ego_velocity.enabled && !velocity.reason.empty()) {
+  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid && scan.has_doppler &&
+      options_.ego_velocity.enabled && !velocity.reason.empty()) {
     result.reason = "ego velocity: " + velocity.reason;
   }
 
@@ -357,9 +379,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   }
   if (HasVelocity(velocity)) last_velocity_ = velocity.v_radar;
   has_doppler_velocity_ = HasVelocity(velocity);
-  time_since_registered_ = result.status == OdometryResult::Status::kPredicted
-                               ? time_since_registered_ + dt
-                               : 0.0;
+  time_since_registered_ =
+      result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
   T_world_radar_ = result.T_world_radar;
   last_stamp_ns_ = scan.stamp_ns;
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -33,8 +34,8 @@ Rigid3 Shifted(const Rigid3& T_submap_radar, const Eigen::Vector3d& origin) {
 }
 
 // The no-slip factor comes last, see lateral_variance.
-std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(
-    const RegistrationPriors& priors, const Eigen::Vector3d& origin) {
+std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const RegistrationPriors& priors,
+                                                                   const Eigen::Vector3d& origin) {
   std::vector<std::unique_ptr<ceres::CostFunction>> factors;
   if (priors.translation) {
     factors.emplace_back(
@@ -110,39 +111,73 @@ Eigen::MatrixXd FreeDirections(const RegistrationPriors& priors) {
   return free;
 }
 
-// Sandwich covariance within the span of `free`.
-Matrix6d SandwichCovariance(const Matrix6d& hessian,
-                            const Matrix6d& scatter,
-                            const Eigen::MatrixXd& free) {
+// Inverse of the curvature within the span of `free`. Where the curvature is less than a twentieth
+// of the hessian, or negative, the scan slides as well as it stands, and the twentieth is taken.
+Eigen::MatrixXd InverseCurvature(const Matrix6d& hessian,
+                                 const Matrix6d& curvature,
+                                 const Eigen::MatrixXd& free) {
+  constexpr double kSmallestShare = 0.05;
   Eigen::MatrixXd H = free.transpose() * hessian * free;
   H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
-  const Eigen::MatrixXd bread = H.llt().solve(free.transpose());
-  Matrix6d covariance = bread.transpose() * (free.transpose() * scatter * free) * bread;
+  const Eigen::MatrixXd C = free.transpose() * curvature * free;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C, H);
+  const Eigen::MatrixXd V = eigen.eigenvectors();  // V^T H V = I
+  const Eigen::VectorXd shares = eigen.eigenvalues().cwiseMax(kSmallestShare);
+  return V * shares.cwiseInverse().asDiagonal() * V.transpose();
+}
+
+// Covariance of an M-estimator (sandwich) within the span of `free`.
+Matrix6d SandwichCovariance(const Matrix6d& hessian,
+                            const Matrix6d& curvature,
+                            const Matrix6d& scatter,
+                            const Eigen::MatrixXd& free) {
+  const Eigen::MatrixXd bread = InverseCurvature(hessian, curvature, free) * free.transpose();
+  const Matrix6d covariance = bread.transpose() * (free.transpose() * scatter * free) * bread;
   return 0.5 * (covariance + covariance.transpose());
 }
 
-// Directions in which the data alone say little: eigenvectors of the marginal covariances of
-// rotation and translation beyond the limits.
-std::vector<Eigen::Matrix<double, 6, 1>> WeakDirections(const Matrix6d& data_hessian,
+// Directions of rotation, and of translation, in which the data alone say little: those with a
+// standard deviation beyond the limits, and those in which the pairs pull against each other so
+// much that the scan slides. Along a bare wall each return finds some neighbour, so H is large
+// there, but the curvature is a seventh of it; in streets it is a third at the least.
+std::vector<Eigen::Matrix<double, 6, 1>> WeakDirections(const NdtQuadratic& data,
                                                         const Eigen::MatrixXd& free,
                                                         const RegistrationOptions& options) {
-  Eigen::MatrixXd H = free.transpose() * data_hessian * free;
+  constexpr double kSlidingShare = 0.25;
+  Eigen::MatrixXd H = free.transpose() * data.hessian * free;
   H.diagonal().array() += 1e-9;
-  const Matrix6d covariance =
-      free * H.llt().solve(Eigen::MatrixXd::Identity(H.rows(), H.cols())) * free.transpose();
-  std::vector<Eigen::Matrix<double, 6, 1>> weak;
+  const Eigen::MatrixXd agreed = H.inverse();
+  const Eigen::MatrixXd covariance = InverseCurvature(data.hessian, data.curvature, free);
   const double limits[] = {options.degenerate_rotation, options.degenerate_translation};
+  const Eigen::Index num_rotations = free.cols() / 2;  // 3 of 6, or 1 of 3
+  std::vector<Eigen::Matrix<double, 6, 1>> weak;
   for (int part = 0; part < 2; ++part) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-        covariance.block<3, 3>(3 * part, 3 * part));
-    for (int i = 0; i < 3; ++i) {
-      if (eigen.eigenvalues()[i] <= limits[part] * limits[part]) continue;
-      Eigen::Matrix<double, 6, 1> direction = Eigen::Matrix<double, 6, 1>::Zero();
-      direction.segment<3>(3 * part) = eigen.eigenvectors().col(i);
-      weak.push_back(direction);
+    const Eigen::Index begin = part == 0 ? 0 : num_rotations;
+    const Eigen::Index size = part == 0 ? num_rotations : free.cols() - num_rotations;
+    const Eigen::MatrixXd P = covariance.block(begin, begin, size, size);
+    const Eigen::MatrixXd P_agreed = agreed.block(begin, begin, size, size);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(P, P_agreed);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      // Along this direction P has the eigenvalue times the variance of P_agreed.
+      const Eigen::VectorXd direction = (P_agreed * eigen.eigenvectors().col(i)).normalized();
+      const double variance = direction.dot(P * direction);
+      if (eigen.eigenvalues()[i] <= 1.0 / kSlidingShare &&
+          variance <= limits[part] * limits[part]) {
+        continue;
+      }
+      weak.push_back(free.middleCols(begin, size) * direction);
     }
   }
   return weak;
+}
+
+// Scan Gaussians that have a pair at all; pairs are sorted by them.
+int CountScanGaussians(const std::vector<NdtPair>& pairs) {
+  int count = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i == 0 || pairs[i].scan != pairs[i - 1].scan) ++count;
+  }
+  return count;
 }
 
 SolverOptions MakeSolverOptions(const RegistrationOptions& options) {
@@ -194,8 +229,7 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
     T_submap_radar.translation += origin;
     // After the first solve the pose is far better than the prediction was.
     const double slack_now = association == 0 ? slack : std::min(slack, 0.3);
-    const std::vector<NdtPair> pairs =
-        search.Find(scan, T_submap_radar, pair_options, slack_now);
+    const std::vector<NdtPair> pairs = search.Find(scan, T_submap_radar, pair_options, slack_now);
     result.pair_search_ms += stopwatch.Milliseconds();
     result.num_pairs = static_cast<int>(pairs.size());
     if (static_cast<int>(pairs.size()) < options.min_gaussians) {
@@ -222,8 +256,12 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
     if (association + 1 < options.num_associations) continue;
     const NdtQuadratic quadratic = ndt.Quadratic(pose.data(), /*with_scatter=*/true);
     Matrix6d hessian = quadratic.hessian;
-    Matrix6d scatter = quadratic.scatter;
+    Matrix6d curvature = quadratic.curvature;
     const Eigen::MatrixXd free = FreeDirections(priors);
+    // Small samples: the gradients have been fitted to.
+    const double num_scan = static_cast<double>(CountScanGaussians(pairs));
+    Matrix6d scatter =
+        num_scan / std::max(1.0, num_scan - static_cast<double>(free.cols())) * quadratic.scatter;
     for (const auto& factor : prior_factors) {
       const Linearised linearised = Linearise(*factor, pose);
       if (priors.no_slip && factor == prior_factors.back()) {
@@ -237,10 +275,11 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
       }
       const Matrix6d information = linearised.jacobian.transpose() * linearised.jacobian;
       hessian += information;
+      curvature += information;
       scatter += information;
     }
-    result.covariance = SandwichCovariance(hessian, scatter, free);
-    result.weak_directions = WeakDirections(quadratic.hessian, free, options);
+    result.covariance = SandwichCovariance(hessian, curvature, scatter, free);
+    result.weak_directions = WeakDirections(quadratic, free, options);
   }
 
   Rigid3 T_submap_radar = FromPoseBlock(pose);

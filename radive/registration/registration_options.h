@@ -21,12 +21,12 @@ struct RegistrationOptions {
   // without elevation are always registered in the plane.
   bool planar = false;
 
-  int num_associations = 2;           // times that pairs are searched
-  int max_iterations = 12;            // LM steps after each association
-  double step_tolerance = 1e-4;       // a step shorter than this ends it [m and rad together]
-  double initial_lm_lambda = 1e-4;    // of H + lambda diag(H)
-  int min_gaussians = 10;             // fewer in the scan: not registered
-  double max_correction = 3.0;        // largest believable distance from the prediction [m]
+  int num_associations = 2;              // times that pairs are searched
+  int max_iterations = 12;               // LM steps after each association
+  double step_tolerance = 1e-4;          // a step shorter than this ends it [m and rad together]
+  double initial_lm_lambda = 1e-4;       // of H + lambda diag(H)
+  int min_gaussians = 10;                // fewer in the scan: not registered
+  double max_correction = 3.0;           // largest believable distance from the prediction [m]
   double max_rotation_correction = 0.2;  // [rad]
 
   // A direction is degenerate when the scan alone leaves more than this standard deviation in it.

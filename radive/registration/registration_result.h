@@ -17,8 +17,9 @@ struct RegistrationResult {
 
   // Order [rotation vector (3), translation (3)], both in the submap frame: the true pose is
   // (exp(dr) R, t + dt). Units rad^2, rad m, m^2. The sandwich covariance of the M-estimator,
-  // H^-1 (sum of squared gradients) H^-1: it follows the scatter that the pairs show. In planar
-  // mode the directions that are held have zero variance.
+  // curvature^-1 (sum of squared gradients) curvature^-1: it follows the scatter that the pairs
+  // show. Errors of the submap itself are not in it. In planar mode the directions that are held
+  // have zero variance.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 
   bool converged = false;
@@ -28,8 +29,9 @@ struct RegistrationResult {
   int num_iterations = 0;  // LM steps, all associations together
   double cost = 0.0;       // final, without the condensed block's constant
 
-  // Directions of the tangent space (same order) that the scan alone leaves unobserved, unit
-  // vectors in rotation or translation.
+  // Directions of the tangent space (same order) that the scan alone leaves unobserved or in which
+  // its pairs pull against each other, as along a bare wall; unit vectors in rotation or
+  // translation.
   std::vector<Eigen::Matrix<double, 6, 1>> weak_directions;
   bool degenerate() const { return !weak_directions.empty(); }
 
