@@ -20,7 +20,8 @@ double VehicleModel::Lever(double forward_speed) const {
   // Tyres drift outwards in proportion to the lateral acceleration v w, so that the point without
   // slip moves ahead by compliance v^2. The linear law ends somewhere: at half the lever.
   const double lever = T_vehicle_radar_.translation.x();
-  return std::max(0.5 * lever, lever - options_.slip_compliance * Square(forward_speed));
+  const double ahead = options_.slip_compliance * Square(forward_speed);
+  return lever - std::min(ahead, 0.5 * std::abs(lever));  // a radar at the rear has lever < 0
 }
 
 void VehicleModel::Advance(double dt) {

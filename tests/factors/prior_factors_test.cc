@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "radive/factors/attitude_height_prior_factor.h"
+#include "radive/factors/displacement_prior_factor.h"
 #include "radive/factors/no_slip_factor.h"
 #include "radive/factors/rotation_prior_factor.h"
 #include "radive/factors/translation_prior_factor.h"
@@ -238,6 +239,52 @@ TEST(NoSlipFactor, ThePointWithoutSlipLiesAheadOfTheRearAxle) {
       Residuals(CostPtr(NoSlipFactor::Create(T0, T_slip_radar, 0.0, 0.01)), T1)[0], 0.0, 1e-11);
   // The rear axle itself slides outwards by kAhead times the turn: 0.8 m * 0.1 rad = 8 sigma.
   EXPECT_NEAR(Residuals(CostPtr(NoSlipFactor::Create(T0, Mount(), 0.0, 0.01)), T1)[0], -8.0, 0.02);
+}
+
+// On the circle the velocity of the radar is constant in the radar frame; the chord of an arc is
+// shorter than the arc by sin(psi/2) / (psi/2), and lies along the velocity half-way.
+TEST(DisplacementPriorFactor, IsZeroForTheChordOfACircle) {
+  const CircleDrive drive{10.0, Mount()};
+  constexpr double kArc = 1.5;
+  const double half_turn = 0.5 * kArc / drive.radius;
+  // Rear axle: (1, 0, 0) per metre; the radar's lever adds the turning.
+  const Eigen::Vector3d v_vehicle(
+      1.0 - Mount().translation.y() / drive.radius, Mount().translation.x() / drive.radius, 0.0);
+  const Eigen::Vector3d displacement =
+      Mount().rotation.conjugate() * v_vehicle * kArc * std::sin(half_turn) / half_turn;
+  for (const double start : {0.0, 20.0}) {
+    const CostPtr cost(DisplacementPriorFactor::Create(
+        drive.RadarAt(start), displacement, 100.0 * Eigen::Matrix3d::Identity()));
+    // The mount looks up a little: the half turn is about a slanted axis of the radar frame.
+    EXPECT_LT(Residuals(cost, drive.RadarAt(start + kArc)).norm(), 1e-11);
+    // The same point with the turn to the other side.
+    const CircleDrive other_way{-10.0, Mount()};
+    const Rigid3 wrong{other_way.RadarAt(start + kArc).rotation,
+                       drive.RadarAt(start + kArc).translation};
+    EXPECT_GT(Residuals(cost, wrong).norm(), 5.0);
+  }
+}
+
+// Without turning: e = L (1, 2, -0.5) beyond the displacement, in the frame of the first pose.
+TEST(DisplacementPriorFactor, ResidualIsInStandardDeviations) {
+  const Rigid3 T0{QuaternionFromRotationVector({0.1, -0.3, 2.0}), {30.0, 40.0, 1.0}};
+  const Eigen::Vector3d d(1.0, 0.2, 0.1);
+  const CostPtr cost(DisplacementPriorFactor::Create(T0, d, SqrtInformation<3>(FullCovariance())));
+  const Rigid3 T1 = T0 * Rigid3(Eigen::Quaterniond::Identity(), d + Eigen::Vector3d(2.0, 7.0, 1.0));
+  EXPECT_LT((Residuals(cost, T1) - Eigen::Vector3d(1.0, 2.0, -0.5)).norm(), 1e-12);
+  // The opposite sign of the same quaternion.
+  const Rigid3 opposite{Eigen::Quaterniond(-T1.rotation.coeffs()), T1.translation};
+  EXPECT_LT((Residuals(cost, opposite) - Eigen::Vector3d(1.0, 2.0, -0.5)).norm(), 1e-12);
+}
+
+TEST(DisplacementPriorFactor, AutodiffMatchesNumeric) {
+  Random random(13);
+  ExpectAutodiffMatchesNumeric(CostPtr(DisplacementPriorFactor::Create(
+      Rigid3(), {1.0, 0.0, 0.0}, SqrtInformation<3>(FullCovariance()))));
+  ExpectAutodiffMatchesNumeric(
+      CostPtr(DisplacementPriorFactor::Create(testing::RandomRigid3(0.5, 2.0, &random),
+                                              {1.0, 0.2, -0.1},
+                                              SqrtInformation<3>(FullCovariance()))));
 }
 
 TEST(NoSlipFactor, AutodiffMatchesNumeric) {

@@ -237,8 +237,9 @@ TEST(RegisterNdt, PriorsPullAsTheirCovarianceSays) {
   double last_offset = 1.0;
   for (const double sigma : {1e-4, 0.01, 0.03, 0.1, 1.0}) {
     RegistrationPriors priors;
-    priors.translations.push_back({T_true.translation + Eigen::Vector3d(0.2, 0.0, 0.0),
-                                   sigma * sigma * Eigen::Matrix3d::Identity()});
+    priors.translation =
+        RegistrationPriors::Translation{T_true.translation + Eigen::Vector3d(0.2, 0.0, 0.0),
+                                        sigma * sigma * Eigen::Matrix3d::Identity()};
     const RegistrationResult result =
         RegisterNdt(scan, search, T_true, 0.5, priors, PairOptions(), Patient());
     ASSERT_TRUE(result.converged);
@@ -268,6 +269,15 @@ TEST(RegisterNdt, PriorsPullAsTheirCovarianceSays) {
   EXPECT_LT((up - Eigen::Vector3d(0.02, 0.0, 1.0).normalized()).norm(), 1e-3);
   const Eigen::Vector3d n = Eigen::Vector3d(0.02, 0.0, 1.0).normalized();
   EXPECT_NEAR(n.dot(result.T_submap_radar.translation - Eigen::Vector3d(0.0, 0.0, 0.6)), 0.0, 2e-3);
+
+  // 0.3 m along the radar's x axis from (0.8, 0, 0.5).
+  RegistrationPriors displacement;
+  displacement.displacement =
+      RegistrationPriors::Displacement{Rigid3(Eigen::Quaterniond::Identity(), {0.8, 0.0, 0.5}),
+                                       {0.3, 0.0, 0.0},
+                                       1e-10 * Eigen::Matrix3d::Identity()};
+  result = RegisterNdt(scan, search, T_true, 0.5, displacement, PairOptions(), Patient());
+  EXPECT_NEAR(result.T_submap_radar.translation.x(), 1.1, 1e-3);
 
   RegistrationPriors no_slip;
   no_slip.no_slip = RegistrationPriors::NoSlip{
@@ -305,7 +315,8 @@ TEST(RegisterNdt, AnalyticAndAutodiffAgreeOnRealScans) {
       if (!planar) {
         priors.rotation = RegistrationPriors::Rotation{Eigen::Quaterniond::Identity(),
                                                        1e-4 * Eigen::Matrix3d::Identity()};
-        priors.translations.push_back({Eigen::Vector3d::Zero(), 0.3 * Eigen::Matrix3d::Identity()});
+        priors.translation = RegistrationPriors::Translation{Eigen::Vector3d::Zero(),
+                                                             0.3 * Eigen::Matrix3d::Identity()};
       }
       RegistrationResult results[2];
       for (const bool analytic : {false, true}) {
