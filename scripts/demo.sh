@@ -23,6 +23,9 @@ scripts/build.sh -DRADIVE_BUILD_APPS=ON >"$log" 2>&1 || {
   exit 1
 }
 
+# The first poses are laid on each other: over a few hundred metres of almost straight road, a fit
+# of the positions leaves the roll open.
+#
 # A scenario, and the settings of the real sensor that it imitates. The simulator writes raw
 # x y z doppler power records.
 for pair in street_dense:mscrad4r street_sparse:hercules_ars548; do
@@ -36,12 +39,12 @@ for pair in street_dense:mscrad4r street_sparse:hercules_ars548; do
     --output="$out/$scenario/scans"
   run "$bin/radive_odometry" --input="$out/$scenario/scans" --config="$config" \
     --set=input.format=raw,input.layout=xyzdp5 --output="$out/$scenario/results"
-  echo "position errors after alignment [m]:"
+  echo "position errors, from the first pose on [m]:"
   run "$bin/radive_evaluate" --reference="$out/$scenario/scans/gt_tum.txt" \
-    --estimate="$out/$scenario/results/trajectory_tum.txt" --align=se3
-  echo "rotation errors after alignment [deg]:"
+    --estimate="$out/$scenario/results/trajectory_tum.txt" --align=origin
+  echo "rotation errors, from the first pose on [deg]:"
   run "$bin/radive_evaluate" --reference="$out/$scenario/scans/gt_tum.txt" \
-    --estimate="$out/$scenario/results/trajectory_tum.txt" --align=se3 --relation=angle_deg
+    --estimate="$out/$scenario/results/trajectory_tum.txt" --align=origin --relation=angle_deg
   run scripts/plot_run.py --results="$out/$scenario/results" \
     --reference="$out/$scenario/scans/gt_tum.txt" --output="$out/$scenario/plots"
 done

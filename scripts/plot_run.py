@@ -56,12 +56,12 @@ def match(reference, estimate, max_time_difference=0.01):
 
 
 def align(reference, estimate):
-    """Rotation and translation that bring the estimated positions onto the reference (Umeyama)."""
-    a, b = estimate[:, 1:4], reference[:, 1:4]
-    u, _, vt = np.linalg.svd((b - b.mean(0)).T @ (a - a.mean(0)))
-    sign = np.diag([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
-    rotation = u @ sign @ vt
-    return rotation, b.mean(0) - rotation @ a.mean(0)
+    """Rotation and translation that lay the first estimated pose on the first reference pose.
+
+    A fit of all positions would leave the roll open on straight drives.
+    """
+    rotation = rotation_matrices(reference[:1, 4:])[0] @ rotation_matrices(estimate[:1, 4:])[0].T
+    return rotation, reference[0, 1:4] - rotation @ estimate[0, 1:4]
 
 
 def save(figure, path):

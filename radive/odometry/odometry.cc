@@ -4,7 +4,6 @@
 #include "radive/odometry/odometry.h"
 
 #include <glog/logging.h>
-#include <tsl/robin_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,6 @@
 #include "radive/preprocessing/occlusion_counts.h"
 #include "radive/preprocessing/preprocess.h"
 #include "radive/registration/ndt_registration.h"
-#include "radive/util/cell_key.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -33,9 +31,6 @@ constexpr double kSecondsPerNanosecond = 1e-9;
 constexpr double kUnseenAcceleration = 0.15;  // share of t^2 in the position [m/s^2]
 constexpr double kUnseenRotationRate = 0.1;   // [rad/s]
 
-
-// Edge of the voxels that the map of a drive keeps one point of [m].
-constexpr double kMapResolution = 0.25;
 
 }  // namespace
 
@@ -63,7 +58,6 @@ class Odometry::Impl {
 
   OdometryResult AddScan(const RadarScan& scan);
 
-  std::vector<Eigen::Vector3d> map_points_;
   std::vector<std::string> notes_;
 
  private:
@@ -102,7 +96,7 @@ class Odometry::Impl {
                 double dt,
                 OdometryResult* result);
   bool IsKeyframe(const Rigid3& T_world_radar) const;
-  void AddKeyframe(const Rigid3& T_world_radar, FilteredScan filtered);
+  void AddKeyframe(FilteredScan filtered, OdometryResult* result);
   // A velocity to work with: measured, or the last good one, whose covariance has grown since.
   static bool HasVelocity(const EgoVelocity& velocity) {
     return velocity.valid || !velocity.covariance.isZero(0.0);
@@ -113,7 +107,6 @@ class Odometry::Impl {
   std::optional<VehicleModel> vehicle_;
   std::optional<EgoVelocityEstimator> ego_velocity_;
   std::unique_ptr<Submap> submap_;
-  tsl::robin_map<std::uint64_t, bool, CellKeyHash> map_cells_;
 
   int num_scans_ = 0;
   std::int64_t last_stamp_ns_ = 0;
@@ -302,16 +295,15 @@ bool Odometry::Impl::IsKeyframe(const Rigid3& T_world_radar) const {
          RotationVector(T_keyframe_radar.rotation).norm() > options_.submap.keyframe_rotation;
 }
 
-void Odometry::Impl::AddKeyframe(const Rigid3& T_world_radar, FilteredScan filtered) {
-  T_world_keyframe_ = T_world_radar;
+void Odometry::Impl::AddKeyframe(FilteredScan filtered, OdometryResult* result) {
+  result->is_keyframe = true;
+  T_world_keyframe_ = result->T_world_radar;
+  result->keyframe_points.reserve(filtered.returns.size());
   for (const RadarReturn& radar_return : filtered.returns) {
-    const Eigen::Vector3d p = T_world_radar * radar_return.position;
-    const Eigen::Vector3d cell = (p / kMapResolution).array().floor();
-    if (map_cells_.try_emplace(CellKey(cell.x(), cell.y(), cell.z()), true).second) {
-      map_points_.push_back(p);
-    }
+    result->keyframe_points.push_back(result->T_world_radar * radar_return.position);
   }
-  submap_->AddKeyframe({T_world_radar, std::move(filtered.returns), std::move(filtered.weights)});
+  submap_->AddKeyframe(
+      {result->T_world_radar, std::move(filtered.returns), std::move(filtered.weights)});
 }
 
 OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
@@ -386,8 +378,7 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
 
   const Stopwatch submap_stopwatch;
   if (result.status == OdometryResult::Status::kRegistered && IsKeyframe(T_world_radar_)) {
-    result.is_keyframe = true;
-    AddKeyframe(T_world_radar_, std::move(filtered));
+    AddKeyframe(std::move(filtered), &result);
   }
   result.times_ms.submap = submap_stopwatch.Milliseconds();
   result.times_ms.total = stopwatch.Milliseconds();
@@ -400,7 +391,6 @@ Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
 OdometryResult Odometry::AddScan(const RadarScan& scan) { return impl_->AddScan(scan); }
-std::vector<Eigen::Vector3d> Odometry::MapPoints() const { return impl_->map_points_; }
 std::vector<std::string> Odometry::TakeNotes() { return std::exchange(impl_->notes_, {}); }
 
 }  // namespace radive

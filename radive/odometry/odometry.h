@@ -33,9 +33,6 @@ class Odometry {
   // Never fails: a scan that cannot be used is reported in the result's status and reason.
   OdometryResult AddScan(const RadarScan& scan);
 
-  // Points of all keyframes so far, in the world frame [m], for the map file.
-  std::vector<Eigen::Vector3d> MapPoints() const;
-
   // Remarks worth a line in the log ("scans carry no Doppler: ego velocity and weights are off").
   // Cleared by the call.
   std::vector<std::string> TakeNotes();

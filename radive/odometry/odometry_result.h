@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "radive/ego_velocity/ego_velocity.h"
 #include "radive/geometry/rigid3.h"
@@ -44,6 +45,7 @@ struct OdometryResult {
   double cost = 0.0;       // final cost of registration
   bool degenerate = false;  // the scan leaves at least one direction unobserved
   bool is_keyframe = false;
+  std::vector<Eigen::Vector3d> keyframe_points;  // of a keyframe, world frame [m]; for maps
 
   // Wall time of each stage [ms].
   struct Times {

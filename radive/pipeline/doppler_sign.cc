@@ -32,6 +32,11 @@ EgoVelocityOptions FitOptions() {
 
 }  // namespace
 
+double DopplerSignSource::ForwardSpeed(const RadarScan& scan,
+                                       const Eigen::Vector3d& v_radar) const {
+  return (sensor_.ForRadar(scan.radar).T_vehicle_radar().rotation * v_radar).x();
+}
+
 std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan) {
   EgoVelocityEstimator estimator(FitOptions(), SensorOptions());
   const EgoVelocity fit = estimator.Estimate(scan.returns, scan.is_planar, scan.stamp_ns);
@@ -78,7 +83,7 @@ void DopplerSignSource::Decide() {
     has_doppler = has_doppler || scan.has_doppler;
     const std::optional<Eigen::Vector3d> v_radar =
         scan.has_doppler ? FitVelocity(scan) : std::nullopt;
-    if (v_radar && v_radar->norm() > kMinSpeed) forward.push_back(forward_radar_.dot(*v_radar));
+    if (v_radar && v_radar->norm() > kMinSpeed) forward.push_back(ForwardSpeed(scan, *v_radar));
   }
   if (!has_doppler) {
     is_decided_ = true;  // nothing to turn

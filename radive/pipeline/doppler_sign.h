@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "radive/io/scan_source.h"
+#include "radive/sensor/sensor_options.h"
 
 namespace radive {
 
@@ -26,9 +27,9 @@ class DopplerSignSource : public ScanSource {
  public:
   static constexpr std::size_t kMaxScans = 100;
 
-  // `forward_radar`: unit vector to the front of the vehicle, in the radar frame.
-  DopplerSignSource(ScanSource* source, const Eigen::Vector3d& forward_radar)
-      : source_(source), forward_radar_(forward_radar) {}
+  // `sensor` tells where the front of the vehicle is, seen from each of its radars.
+  DopplerSignSource(ScanSource* source, const SensorOptions& sensor)
+      : source_(source), sensor_(sensor) {}
 
   Status Next(RadarScan* scan) override;
   std::string Description() const override { return source_->Description(); }
@@ -46,9 +47,11 @@ class DopplerSignSource : public ScanSource {
  private:
   Status ReadNext(RadarScan* scan);
   void Decide();
+  // Of the vehicle's velocity, but for what its turning adds [m/s].
+  double ForwardSpeed(const RadarScan& scan, const Eigen::Vector3d& v_radar) const;
 
   ScanSource* const source_;
-  const Eigen::Vector3d forward_radar_;
+  const SensorOptions sensor_;
   bool has_looked_ = false;
   double sign_ = 1.0;
   bool is_decided_ = false;

@@ -5,18 +5,10 @@
 
 #include <cstdio>
 
-#include "radive/io/stamp_text.h"
+#include "radive/io/trajectory_io.h"
 
 namespace radive {
 namespace {
-
-// Fixed decimals; minus zero is written as zero, so that its sign cannot make two rows differ.
-std::string Fixed(double value) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.9f", value);
-  const std::string fixed = text;
-  return fixed == "-0.000000000" ? "0.000000000" : fixed;
-}
 
 std::string Short(double value) {
   char text[40];
@@ -63,23 +55,11 @@ std::string UpperTriangleNames(const std::string& prefix, const std::string* nam
 }  // namespace
 
 std::string TumRow(const OdometryResult& result) {
-  const Eigen::Vector3d& t = result.T_world_radar.translation;
-  const Eigen::Quaterniond& q = result.T_world_radar.rotation;
-  std::string row = FormatStamp(result.stamp_ns);
-  for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
-    row += " " + Fixed(value);
-  }
-  return row + "\n";
+  return TumLine({result.stamp_ns, result.T_world_radar}) + "\n";
 }
 
 std::string KittiRow(const OdometryResult& result) {
-  const Eigen::Matrix3d rotation = result.T_world_radar.RotationMatrix();
-  std::string text;
-  for (int row = 0; row < 3; ++row) {
-    for (int col = 0; col < 3; ++col) text += Fixed(rotation(row, col)) + " ";
-    text += Fixed(result.T_world_radar.translation[row]) + (row < 2 ? " " : "\n");
-  }
-  return text;
+  return KittiLine({result.stamp_ns, result.T_world_radar}) + "\n";
 }
 
 std::string ScansHeader() {

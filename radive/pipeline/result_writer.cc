@@ -125,25 +125,21 @@ bool ResultWriter::Finish(std::string* error) {
   return first_error.empty();
 }
 
-std::vector<Eigen::Vector3d> ThinPoints(const std::vector<Eigen::Vector3d>& points,
-                                        double resolution) {
-  if (!(resolution > 0.0)) return points;
+void MapThinner::Add(const std::vector<Eigen::Vector3d>& points) {
   constexpr std::int64_t kBias = 1 << 20;  // 21 bits an axis: a million cubes to each side
-  const auto cell = [resolution](double coordinate) {
-    const double index = std::floor(coordinate / resolution);
+  const auto cell = [this](double coordinate) {
+    const double index = std::floor(coordinate / resolution_);
     const double limit = static_cast<double>(kBias) - 1.0;
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::clamp(index, -limit, limit)) +
                                       kBias);
   };
-  std::unordered_set<std::uint64_t> taken;
-  std::vector<Eigen::Vector3d> kept;
   for (const Eigen::Vector3d& p : points) {
     if (!p.allFinite()) continue;
-    if (taken.insert(cell(p.x()) << 42 | cell(p.y()) << 21 | cell(p.z())).second) {
-      kept.push_back(p);
+    if (!(resolution_ > 0.0) ||
+        taken_.insert(cell(p.x()) << 42 | cell(p.y()) << 21 | cell(p.z())).second) {
+      points_.push_back(p);
     }
   }
-  return kept;
 }
 
 }  // namespace radive

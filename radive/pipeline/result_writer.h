@@ -4,8 +4,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "radive/odometry/odometry_result.h"
@@ -57,8 +59,19 @@ class ResultWriter {
   OutputFile timing_;
 };
 
-// One point for each cube of edge `resolution` [m] that holds any: the first; all when it is 0.
-std::vector<Eigen::Vector3d> ThinPoints(const std::vector<Eigen::Vector3d>& points,
-                                        double resolution);
+// The map of a drive: one point for each cube of edge `resolution` [m] that holds any, the first;
+// all points when it is 0. Grows with the area that was driven through, not with the drive.
+class MapThinner {
+ public:
+  explicit MapThinner(double resolution) : resolution_(resolution) {}
+
+  void Add(const std::vector<Eigen::Vector3d>& points);
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+
+ private:
+  const double resolution_;
+  std::unordered_set<std::uint64_t> taken_;
+  std::vector<Eigen::Vector3d> points_;
+};
 
 }  // namespace radive

@@ -24,10 +24,11 @@ class SequenceRun {
       : config_(config),
         request_(request),
         stored_(source),
-        signed_source_(source, Eigen::Vector3d::UnitX()),
+        signed_source_(source, config.odometry.sensor),
         source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
                                                                               : source),
         odometry_(config.odometry),
+        map_(config.output.map_resolution),
         progress_(stderr,
                   request.quiet ? Progress::Mode::kQuiet : Progress::ModeFor(stderr),
                   NumScansToRun()) {}
@@ -89,6 +90,7 @@ class SequenceRun {
       }
       const OdometryResult result = odometry_.AddScan(scan);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
+      if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
       report_.AddScan(result, info.read_ms);
       if (!writer_.AddScan(info, result, error)) return RunStatus::kFailed;
       progress_.Update(report_.num_scans());
@@ -127,8 +129,7 @@ class SequenceRun {
       ok = ok && written;
     };
     if (config_.output.map == OutputOptions::Map::kPoints) {
-      keep_first(writer_.WriteMap(ThinPoints(odometry_.MapPoints(), config_.output.map_resolution),
-                                  &file_error));
+      keep_first(writer_.WriteMap(map_.points(), &file_error));
     } else {
       writer_.RemoveEarlier("map.ply");
     }
@@ -153,6 +154,7 @@ class SequenceRun {
   DopplerSignSource signed_source_;
   ScanSource* const source_;
   Odometry odometry_;
+  MapThinner map_;
   ResultWriter writer_;
   RunReport report_;
   Progress progress_;

@@ -159,6 +159,8 @@ TEST(EffectiveConfig, ReadsBackIdenticallyFieldByField) {
       RunConfig config;
       auto stages = config.Stages();
       OptionField& field = stages[s].second[f];
+      const auto* choice = std::get_if<OptionField::Choice>(&field.value);
+      if (choice != nullptr && choice->names.size() == 1) continue;  // nothing to change it to
       ChangeValue(&field);
       const std::string text = EffectiveConfig(config);
       EXPECT_NE(text, defaults) << stages[s].first << "." << field.name << " did not change";

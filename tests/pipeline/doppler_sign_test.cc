@@ -40,7 +40,7 @@ TEST(FitVelocity, RefusesFewOrDisagreeingReturns) {
 // A return straight ahead comes nearer: its canonical range rate is negative.
 TEST(DopplerSignSource, TurnsTheWrongSign) {
   FakeScanSource inner(StaticScans(120, kForward, -1.0));
-  DopplerSignSource source(&inner, Eigen::Vector3d::UnitX());
+  DopplerSignSource source(&inner, SensorOptions());
   RadarScan scan;
   for (int i = 0; i < 120; ++i) {
     ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
@@ -57,7 +57,7 @@ TEST(DopplerSignSource, TurnsTheWrongSign) {
 
 TEST(DopplerSignSource, KeepsTheRightSign) {
   FakeScanSource inner(StaticScans(20, kForward, 1.0));
-  DopplerSignSource source(&inner, Eigen::Vector3d::UnitX());
+  DopplerSignSource source(&inner, SensorOptions());
   RadarScan scan;
   ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
   EXPECT_LT(scan.returns[20].doppler, -7.0);
@@ -68,7 +68,9 @@ TEST(DopplerSignSource, KeepsTheRightSign) {
 TEST(DopplerSignSource, JudgesByTheFrontOfTheVehicle) {
   // A radar that looks back: driving forward is driving towards its -x.
   FakeScanSource inner(StaticScans(20, -kForward, 1.0));
-  DopplerSignSource source(&inner, -Eigen::Vector3d::UnitX());
+  SensorOptions sensor;
+  sensor.mount_yaw = 3.141592653589793;
+  DopplerSignSource source(&inner, sensor);
   RadarScan scan;
   ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
   EXPECT_EQ(source.sign(), 1.0);
@@ -76,7 +78,7 @@ TEST(DopplerSignSource, JudgesByTheFrontOfTheVehicle) {
 
 TEST(DopplerSignSource, SaysSoWhenTheRadarStands) {
   FakeScanSource inner(StaticScans(20, Eigen::Vector3d::Zero(), 1.0));
-  DopplerSignSource source(&inner, Eigen::Vector3d::UnitX());
+  DopplerSignSource source(&inner, SensorOptions());
   RadarScan scan;
   ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
   EXPECT_EQ(source.sign(), 1.0);
@@ -86,7 +88,7 @@ TEST(DopplerSignSource, SaysSoWhenTheRadarStands) {
 
 TEST(DopplerSignSource, DeliversWhatCameBeforeAnError) {
   FakeScanSource inner(StaticScans(3, kForward, 1.0), "FILE: broken");
-  DopplerSignSource source(&inner, Eigen::Vector3d::UnitX());
+  DopplerSignSource source(&inner, SensorOptions());
   RadarScan scan;
   for (int i = 0; i < 3; ++i) ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
   EXPECT_EQ(source.Next(&scan), ScanSource::Status::kError);

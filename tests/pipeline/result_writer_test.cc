@@ -72,15 +72,19 @@ TEST(ResultRows, TablesHaveAColumnForEachName) {
   EXPECT_EQ(CountCommas(TimingHeader()), 8u);
 }
 
-TEST(ThinPoints, KeepsTheFirstPointOfACube) {
+TEST(MapThinner, KeepsTheFirstPointOfACube) {
   const std::vector<Eigen::Vector3d> points = {
       {0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}, {-0.1, 0.1, 0.1}, {1.1, 0.1, 0.1}};
-  const auto thinned = ThinPoints(points, 1.0);
-  ASSERT_EQ(thinned.size(), 3u);
-  EXPECT_EQ(thinned[0], points[0]);
-  EXPECT_EQ(thinned[1], points[2]);
-  EXPECT_EQ(thinned[2], points[3]);
-  EXPECT_EQ(ThinPoints(points, 0.0).size(), 4u);
+  MapThinner map(1.0);
+  map.Add({points[0], points[1]});
+  map.Add({points[2], points[3], points[0]});
+  ASSERT_EQ(map.points().size(), 3u);
+  EXPECT_EQ(map.points()[0], points[0]);
+  EXPECT_EQ(map.points()[1], points[2]);
+  EXPECT_EQ(map.points()[2], points[3]);
+  MapThinner all(0.0);
+  all.Add(points);
+  EXPECT_EQ(all.points().size(), 4u);
 }
 
 TEST(ResultWriter, FilesGetTheirNamesAtTheEndOnly) {
