@@ -135,11 +135,8 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
                Eigen::ArrayXd::Ones(equations.size()),
                vertical_ridge);
   if (occlusion_.enabled) {
-    const EgoVelocity weighted = Refine(equations,
-                                        up_radar,
-                                        fit.v_radar,
-                                        OcclusionWeights(equations, fit.v_radar),
-                                        vertical_ridge);
+    const EgoVelocity weighted = Refine(
+        equations, up_radar, fit.v_radar, OcclusionWeights(equations, fit.v_radar), vertical_ridge);
     if (weighted.num_inliers >= options_.min_inliers) fit = weighted;
   }
   if (fit.reason.empty()) fit.reason = WhyUnusable(fit, equations, temporal_gate);
@@ -193,12 +190,8 @@ EgoVelocity EgoVelocityEstimator::Refine(const DopplerEquations& equations,
   double sum = 0.0;
   for (const Eigen::Index i : inliers) sum += residuals[i] * residuals[i];
   fit.residual_rms = std::sqrt(sum / static_cast<double>(inliers.size()));
-  fit.covariance = Covariance(equations,
-                              residuals,
-                              noise_scale,
-                              weights / noise_scale.square(),
-                              up_radar,
-                              vertical_ridge);
+  fit.covariance = Covariance(
+      equations, residuals, noise_scale, weights / noise_scale.square(), up_radar, vertical_ridge);
   return fit;
 }
 
@@ -282,10 +275,8 @@ Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equatio
 // residuals.
 double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
                                              const DopplerEquations& equations) const {
-  const Eigen::ArrayXd gates =
-      options_.fit_gate * equations.NoiseScale(fit.v_radar, NoiseRatio());
-  const auto is_inlier =
-      (equations.Residuals(fit.v_radar).abs() <= gates).cast<double>().eval();
+  const Eigen::ArrayXd gates = options_.fit_gate * equations.NoiseScale(fit.v_radar, NoiseRatio());
+  const auto is_inlier = (equations.Residuals(fit.v_radar).abs() <= gates).cast<double>().eval();
   Eigen::Matrix2d information;
   information(0, 0) = (is_inlier * equations.first.square()).sum();
   information(1, 1) = (is_inlier * equations.second.square()).sum();

@@ -37,7 +37,8 @@ DopplerEquations MakeDopplerEquations(const std::vector<RadarReturn>& returns,
   DopplerEquations equations;
   equations.basis = HorizontalBasis(up_radar);
   const auto capacity = static_cast<Eigen::Index>(returns.size());
-  for (Eigen::ArrayXd* column : {&equations.x, &equations.y, &equations.z, &equations.v_doppler, &equations.range}) {
+  for (Eigen::ArrayXd* column :
+       {&equations.x, &equations.y, &equations.z, &equations.v_doppler, &equations.range}) {
     column->resize(capacity);
   }
   Eigen::Index n = 0;
@@ -51,7 +52,8 @@ DopplerEquations MakeDopplerEquations(const std::vector<RadarReturn>& returns,
     equations.range[n] = range;
     ++n;
   }
-  for (Eigen::ArrayXd* column : {&equations.x, &equations.y, &equations.z, &equations.v_doppler, &equations.range}) {
+  for (Eigen::ArrayXd* column :
+       {&equations.x, &equations.y, &equations.z, &equations.v_doppler, &equations.range}) {
     column->conservativeResize(n);
   }
   const Eigen::Matrix<double, 3, 2>& basis = equations.basis;

@@ -58,10 +58,10 @@ class AttitudeHeightPriorFactor {
                                      const Eigen::Vector3d& t_reference,
                                      double sigma_angle,
                                      double sigma_height) {
-    return new ceres::
-        AutoDiffCostFunction<AttitudeHeightPriorFactor, 3 /* residuals */, 7 /* pose */>(
-            new AttitudeHeightPriorFactor(
-                up_radar, up_submap, t_reference, sigma_angle, sigma_height));
+    return new ceres::AutoDiffCostFunction<AttitudeHeightPriorFactor,
+                                           3 /* residuals */,
+                                           7 /* pose */>(
+        new AttitudeHeightPriorFactor(up_radar, up_submap, t_reference, sigma_angle, sigma_height));
   }
 
  private:

@@ -24,7 +24,7 @@ enum class NdtDerivatives {
 // [rotation vector (3) [rad], translation (3) [m]] of a pose that is perturbed from the left:
 // (exp(dr) R, t + dt).
 struct NdtQuadratic {
-  double cost = 0.0;                                                   // >= 0
+  double cost = 0.0;  // >= 0
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();  // PSD approximation
 
@@ -79,10 +79,10 @@ class CondensedNdtCost : public ceres::SizedCostFunction<7, 7> {
  private:
   // Everything of a pair that does not change with the pose, side by side for the cache.
   struct Target {
-    Eigen::Vector3d mean;          // relative to origin_
+    Eigen::Vector3d mean;           // relative to origin_
     double xx, xy, xz, yy, yz, zz;  // covariance
-    double depth;                  // w k_c (kUnit: w)
-    double factor;                 // kPaper: w (2 pi)^-3/2
+    double depth;                   // w k_c (kUnit: w)
+    double factor;                  // kPaper: w (2 pi)^-3/2
   };
 
   double Cost(const double* pose) const;

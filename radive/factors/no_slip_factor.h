@@ -57,8 +57,8 @@ class NoSlipFactor {
     // The radar's displacement, less what the turn of the lever contributes.
     const Eigen::Matrix<T, 3, 1> d = q_e_radar * t_radar + lever - q_e * lever;
     const T half_psi = atan2(q_e.z(), q_e.w());
-    residual[0] = T(inv_sigma_) *
-                  (cos(half_psi) * d[1] - sin(half_psi) * d[0] - T(lateral_offset_));
+    residual[0] =
+        T(inv_sigma_) * (cos(half_psi) * d[1] - sin(half_psi) * d[0] - T(lateral_offset_));
     return true;
   }
 

@@ -35,9 +35,8 @@ class TranslationPriorFactor {
 
   static ceres::CostFunction* Create(const Eigen::Vector3d& t_init,
                                      const Eigen::Matrix3d& sqrt_information) {
-    return new ceres::
-        AutoDiffCostFunction<TranslationPriorFactor, 3 /* residuals */, 7 /* pose */>(
-            new TranslationPriorFactor(t_init, sqrt_information));
+    return new ceres::AutoDiffCostFunction<TranslationPriorFactor, 3 /* residuals */, 7 /* pose */>(
+        new TranslationPriorFactor(t_init, sqrt_information));
   }
 
  private:

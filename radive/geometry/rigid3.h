@@ -30,8 +30,7 @@ struct Rigid3 {
 
 // The product is re-normalised, so that chains of any length stay rotations.
 inline Rigid3 operator*(const Rigid3& T_a_b, const Rigid3& T_b_c) {
-  return {T_a_b.rotation * T_b_c.rotation,
-          T_a_b.rotation * T_b_c.translation + T_a_b.translation};
+  return {T_a_b.rotation * T_b_c.rotation, T_a_b.rotation * T_b_c.translation + T_a_b.translation};
 }
 
 inline Eigen::Vector3d operator*(const Rigid3& T_a_b, const Eigen::Vector3d& p_b) {
@@ -69,10 +68,8 @@ inline Eigen::Vector3d RotationVector(const Eigen::Quaterniond& q) {
 inline Eigen::Quaterniond QuaternionFromRotationVector(const Eigen::Vector3d& rotation_vector) {
   const double angle = rotation_vector.norm();
   if (angle < 1e-9) {
-    return Eigen::Quaterniond(1.0,
-                              0.5 * rotation_vector.x(),
-                              0.5 * rotation_vector.y(),
-                              0.5 * rotation_vector.z())
+    return Eigen::Quaterniond(
+               1.0, 0.5 * rotation_vector.x(), 0.5 * rotation_vector.y(), 0.5 * rotation_vector.z())
         .normalized();
   }
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, rotation_vector / angle));

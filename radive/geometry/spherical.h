@@ -28,9 +28,8 @@ inline Spherical ToSpherical(const Eigen::Vector3d& p) {
 
 inline Eigen::Vector3d FromSpherical(const Spherical& s) {
   const double planar = s.range * std::cos(s.elevation);
-  return {planar * std::cos(s.azimuth),
-          planar * std::sin(s.azimuth),
-          s.range * std::sin(s.elevation)};
+  return {
+      planar * std::cos(s.azimuth), planar * std::sin(s.azimuth), s.range * std::sin(s.elevation)};
 }
 
 }  // namespace radive

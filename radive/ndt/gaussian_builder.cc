@@ -17,14 +17,15 @@ namespace radive {
 std::vector<Gaussian3> GaussiansOfReturns(const std::vector<RadarReturn>& returns,
                                           const std::vector<double>& weights,
                                           const SensorOptions& sensor,
-                                          const NdtOptions& options) {
+                                          const NdtOptions& options,
+                                          bool is_planar) {
   CHECK_EQ(returns.size(), weights.size());
   std::vector<Gaussian3> gaussians;
   gaussians.reserve(returns.size());
   for (std::size_t i = 0; i < returns.size(); ++i) {
     Gaussian3 gaussian;
     gaussian.mean = returns[i].position;
-    gaussian.covariance = PositionCovariance(returns[i].position, sensor);
+    gaussian.covariance = PositionCovariance(returns[i].position, sensor, is_planar);
     gaussian.covariance.diagonal().array() += options.epsilon;
     gaussian.weight = weights[i];
     gaussians.push_back(gaussian);

@@ -16,10 +16,12 @@ namespace radive {
 
 // Every return as its own Gaussian, in the radar frame: the sensor's noise ellipsoid at that range
 // and direction plus epsilon I. `weights` [-], one a return.
+// `is_planar`: the sensor measures no elevation.
 std::vector<Gaussian3> GaussiansOfReturns(const std::vector<RadarReturn>& returns,
                                           const std::vector<double>& weights,
                                           const SensorOptions& sensor,
-                                          const NdtOptions& options);
+                                          const NdtOptions& options,
+                                          bool is_planar = false);
 
 // One Gaussian a voxel (paper, NDT section): mean, covariance of the points over n, plus
 // epsilon I, and mean weight. Voxels lie on the grid of the frame that the points are given in, and

@@ -15,7 +15,8 @@ std::vector<OptionField> NdtOptions::Fields() {
       OptionField{"voxel_size", &voxel_size, "m", "Edges of a voxel along x, y and z."}
           .Above(0.0)
           .Size(3),
-      OptionField{"epsilon", &epsilon, "m^2", "Added to each variance of each Gaussian."}.Above(0.0),
+      OptionField{"epsilon", &epsilon, "m^2", "Added to each variance of each Gaussian."}.Above(
+          0.0),
       OptionField{"min_points", &min_points, "-", "Voxels with fewer points are left out."}.AtLeast(
           1),
   };

@@ -27,8 +27,8 @@ struct MotionOptions {
   // is; it drifts outwards by slip_compliance [rad] for each m/s^2 of lateral acceleration, which
   // moves the point without slip ahead by slip_compliance * v^2.
   bool no_slip = false;
-  double no_slip_sigma = 0.1;    // standard deviation of the lateral velocity at the axle [m/s]
-  double no_slip_floor = 0.002;  // ... and of a scan's lateral displacement [m]
+  double no_slip_sigma = 0.1;      // standard deviation of the lateral velocity at the axle [m/s]
+  double no_slip_floor = 0.002;    // ... and of a scan's lateral displacement [m]
   double slip_compliance = 0.003;  // [rad s^2/m]
 
   // What else makes the vehicle move askew (bank of the road, error of the mounting angle) is

@@ -31,6 +31,9 @@ constexpr double kSecondsPerNanosecond = 1e-9;
 constexpr double kUnseenAcceleration = 0.15;  // share of t^2 in the position [m/s^2]
 constexpr double kUnseenRotationRate = 0.1;   // [rad/s]
 
+// Standard deviation of a velocity that is carried over from the last registered motion, for want
+// of Doppler [m/s].
+constexpr double kUnknownVelocity = 1.0;
 
 }  // namespace
 
@@ -65,6 +68,7 @@ class Odometry::Impl {
   struct FilteredScan {
     std::vector<RadarReturn> returns;
     std::vector<double> weights;
+    bool is_planar = false;
   };
 
   // Where the radar should be, before the scan is looked at.
@@ -95,6 +99,7 @@ class Odometry::Impl {
                 const Prediction& prediction,
                 double dt,
                 OdometryResult* result);
+  Matrix6d PredictedCovariance(const EgoVelocity& velocity, double dt) const;
   bool IsKeyframe(const Rigid3& T_world_radar) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);
   // A velocity to work with: measured, or the last good one, whose covariance has grown since.
@@ -114,6 +119,7 @@ class Odometry::Impl {
   Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // radar frame [m/s]
   Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // radar frame [rad/s]
   bool has_doppler_velocity_ = false;                        // last_velocity_ is measured
+  Matrix6d covariance_ = Matrix6d::Zero();                   // of the last pose
   double time_since_registered_ = 0.0;                       // [s]
   double usual_interval_ = 0.0;                              // between scans [s]
   std::optional<Rigid3> T_world_keyframe_;                   // the last keyframe
@@ -136,8 +142,8 @@ std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarRe
     azimuths.push_back(std::atan2(radar_return.position.y(), radar_return.position.x()));
     ranges.push_back(radar_return.position.norm());
   }
-  const std::vector<int> counts = OcclusionCounts(
-      azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
+  const std::vector<int> counts =
+      OcclusionCounts(azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
   std::vector<RadarReturn> visible;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
@@ -148,13 +154,13 @@ std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarRe
 Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, OdometryResult* result) {
   Stopwatch stopwatch;
   FilteredScan filtered;
+  filtered.is_planar = scan.is_planar;
   filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
   result->times_ms.preprocessing = stopwatch.Lap();
 
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
   if (use_doppler) {
-    result->ego_velocity =
-        ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
+    result->ego_velocity = ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
     // Without a velocity nothing tells static returns from moving ones.
     filtered.returns = HasVelocity(result->ego_velocity)
                            ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
@@ -195,9 +201,9 @@ Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, 
     rate += up * (*yaw_rate - up.dot(rate));
   }
   const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
-  prediction.T_world_radar = {
-      T_world_radar_.rotation * QuaternionFromRotationVector(dt * rate),
-      T_world_radar_.translation + T_world_radar_.rotation * (half_turn * (prediction.v_mean * dt))};
+  prediction.T_world_radar = {T_world_radar_.rotation * QuaternionFromRotationVector(dt * rate),
+                              T_world_radar_.translation +
+                                  T_world_radar_.rotation * (half_turn * (prediction.v_mean * dt))};
   return prediction;
 }
 
@@ -209,8 +215,7 @@ RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
   RegistrationPriors priors;
   if (prediction.has_doppler && motion.doppler_prior) {
     const double floor = motion.doppler_floor;
-    const double variance =
-        dt * dt * floor * floor + UnseenSigma(dt) * UnseenSigma(dt);
+    const double variance = dt * dt * floor * floor + UnseenSigma(dt) * UnseenSigma(dt);
     priors.displacement = RegistrationPriors::Displacement{
         T_world_radar_,
         prediction.v_mean * dt,
@@ -247,8 +252,8 @@ void Odometry::Impl::Register(const RadarScan& scan,
   const Stopwatch stopwatch;
   std::vector<Gaussian3> gaussians;
   if (options_.ndt.representation == NdtOptions::Representation::kPoint) {
-    gaussians =
-        GaussiansOfReturns(filtered.returns, filtered.weights, options_.sensor, options_.ndt);
+    gaussians = GaussiansOfReturns(
+        filtered.returns, filtered.weights, options_.sensor, options_.ndt, scan.is_planar);
   } else {
     std::vector<Eigen::Vector3d> points;
     points.reserve(filtered.returns.size());
@@ -264,13 +269,14 @@ void Odometry::Impl::Register(const RadarScan& scan,
   RegistrationOptions registration_options = options_.registration;
   registration_options.max_correction += growth;
   registration_options.max_rotation_correction += kUnseenRotationRate * gap;
-  const RegistrationResult registration = RegisterNdt(gaussians,
-                                                      *submap_->search(),
-                                                      prediction.T_world_radar,
-                                                      slack,
-                                                      Priors(prediction, result->ego_velocity, scan, dt),
-                                                      options_.pairs,
-                                                      registration_options);
+  const RegistrationResult registration =
+      RegisterNdt(gaussians,
+                  *submap_->search(),
+                  prediction.T_world_radar,
+                  slack,
+                  Priors(prediction, result->ego_velocity, scan, dt),
+                  options_.pairs,
+                  registration_options);
   result->num_pairs = registration.num_pairs;
   result->num_iterations = registration.num_iterations;
   result->cost = registration.cost;
@@ -288,6 +294,20 @@ void Odometry::Impl::Register(const RadarScan& scan,
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
 }
 
+// Of a pose that only the prediction moved: the last one's, and what the motion since adds.
+Matrix6d Odometry::Impl::PredictedCovariance(const EgoVelocity& velocity, double dt) const {
+  Matrix6d covariance = covariance_;
+  const double sigma_rotation = kUnseenRotationRate * dt;
+  covariance.topLeftCorner<3, 3>().diagonal().array() += sigma_rotation * sigma_rotation;
+  const Eigen::Matrix3d R = T_world_radar_.RotationMatrix();
+  const Eigen::Matrix3d velocity_covariance =
+      HasVelocity(velocity)
+          ? velocity.covariance
+          : Eigen::Matrix3d(kUnknownVelocity * kUnknownVelocity * Eigen::Matrix3d::Identity());
+  covariance.bottomRightCorner<3, 3>() += dt * dt * R * velocity_covariance * R.transpose();
+  return covariance;
+}
+
 bool Odometry::Impl::IsKeyframe(const Rigid3& T_world_radar) const {
   if (!T_world_keyframe_) return true;
   const Rigid3 T_keyframe_radar = T_world_keyframe_->Inverse() * T_world_radar;
@@ -302,8 +322,10 @@ void Odometry::Impl::AddKeyframe(FilteredScan filtered, OdometryResult* result) 
   for (const RadarReturn& radar_return : filtered.returns) {
     result->keyframe_points.push_back(result->T_world_radar * radar_return.position);
   }
-  submap_->AddKeyframe(
-      {result->T_world_radar, std::move(filtered.returns), std::move(filtered.weights)});
+  submap_->AddKeyframe({result->T_world_radar,
+                        std::move(filtered.returns),
+                        std::move(filtered.weights),
+                        filtered.is_planar});
 }
 
 OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
@@ -358,6 +380,13 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
       options_.ego_velocity.enabled && !velocity.reason.empty()) {
     result.reason = "ego velocity: " + velocity.reason;
   }
+
+  if (result.status == OdometryResult::Status::kPredicted) {
+    result.covariance = PredictedCovariance(velocity, dt);
+  } else if (result.status == OdometryResult::Status::kStanding) {
+    result.covariance = covariance_;
+  }
+  covariance_ = result.covariance;
 
   // Motion for the next prediction.
   if (dt > 0.0) {

@@ -21,9 +21,8 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::S
 
 bool OdometryOptions::IsValid(std::string* error) const {
   return sensor.IsValid(error) && preprocessing.IsValid(error) && occlusion.IsValid(error) &&
-         ego_velocity.IsValid(error) &&
-         ndt.IsValid(error) && pairs.IsValid(error) && registration.IsValid(error) &&
-         motion.IsValid(error) && submap.IsValid(error);
+         ego_velocity.IsValid(error) && ndt.IsValid(error) && pairs.IsValid(error) &&
+         registration.IsValid(error) && motion.IsValid(error) && submap.IsValid(error);
 }
 
 }  // namespace radive

@@ -32,17 +32,18 @@ struct OdometryResult {
   // Pose of the radar; the world frame is the radar frame of the first scan.
   Rigid3 T_world_radar;
   // Of the pose, order [rotation (3), translation (3)], both in the world frame: the true pose is
-  // (exp(dr) R, t + dt) [rad^2, rad m, m^2]. Relative to the submap, so it does not grow with drift.
+  // (exp(dr) R, t + dt) [rad^2, rad m, m^2]. Relative to the submap, so it does not grow with
+  // drift.
   Matrix6d covariance = Matrix6d::Zero();
 
   EgoVelocity ego_velocity;
 
-  int num_returns = 0;     // in the scan
-  int num_kept = 0;        // left after all filters
-  int num_gaussians = 0;   // source Gaussians
-  int num_pairs = 0;       // correspondences of the last association
-  int num_iterations = 0;  // LM steps, all associations together
-  double cost = 0.0;       // final cost of registration
+  int num_returns = 0;      // in the scan
+  int num_kept = 0;         // left after all filters
+  int num_gaussians = 0;    // source Gaussians
+  int num_pairs = 0;        // correspondences of the last association
+  int num_iterations = 0;   // LM steps, all associations together
+  double cost = 0.0;        // final cost of registration
   bool degenerate = false;  // the scan leaves at least one direction unobserved
   bool is_keyframe = false;
   std::vector<Eigen::Vector3d> keyframe_points;  // of a keyframe, world frame [m]; for maps

@@ -20,7 +20,8 @@ class RawSubmap : public Submap {
   void AddKeyframe(Keyframe keyframe) override {
     Entry entry;
     if (ndt_.representation == NdtOptions::Representation::kPoint) {
-      entry.gaussians = GaussiansOfReturns(keyframe.returns, keyframe.weights, sensor_, ndt_);
+      entry.gaussians =
+          GaussiansOfReturns(keyframe.returns, keyframe.weights, sensor_, ndt_, keyframe.is_planar);
       const Eigen::Matrix3d R = keyframe.T_world_radar.RotationMatrix();
       for (Gaussian3& gaussian : entry.gaussians) {
         gaussian.mean = R * gaussian.mean + keyframe.T_world_radar.translation;

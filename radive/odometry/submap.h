@@ -22,6 +22,7 @@ struct Keyframe {
   Rigid3 T_world_radar;
   std::vector<RadarReturn> returns;  // filtered, radar frame
   std::vector<double> weights;       // velocity-discrepancy weights, one a return
+  bool is_planar = false;            // of a sensor without elevation
 };
 
 // What a scan is registered against. Raw keyframe points now; extracted surface points can stand

@@ -7,7 +7,10 @@ namespace radive {
 
 std::vector<OptionField> SubmapOptions::Fields() {
   return {
-      {"type", MakeChoice(&type, {"raw"}), "-", "What the submap is made of: the keyframes' points."},
+      {"type",
+       MakeChoice(&type, {"raw"}),
+       "-",
+       "What the submap is made of: the keyframes' points."},
       OptionField{"keyframe_distance", &keyframe_distance, "m", "Distance between keyframes."}
           .Above(0.0),
       OptionField{"keyframe_rotation", &keyframe_rotation, "rad", "Turn between keyframes."}.Above(

@@ -17,9 +17,9 @@ struct SubmapOptions {
   };
   Type type = Type::kRaw;
 
-  double keyframe_distance = 2.0;    // a keyframe every so far [m]
+  double keyframe_distance = 2.0;     // a keyframe every so far [m]
   double keyframe_rotation = 0.0524;  // ... or after so much turning [rad]
-  int num_keyframes = 30;            // in the window
+  int num_keyframes = 30;             // in the window
 
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const { return CheckOptions("submap", *this, error); }

@@ -58,8 +58,8 @@ class VehicleModel {
 
   const MotionOptions options_;
   const Rigid3 T_vehicle_radar_;
-  double slip_ = 0.0;      // [rad]
-  double slip_variance_;   // [rad^2]
+  double slip_ = 0.0;     // [rad]
+  double slip_variance_;  // [rad^2]
 };
 
 }  // namespace radive

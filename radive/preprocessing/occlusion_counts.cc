@@ -25,8 +25,7 @@ std::vector<int> OcclusionCounts(const std::vector<double>& azimuths,
   });
   std::vector<int> counts(azimuths.size(), 0);
   for (std::size_t i = 0; i < azimuths.size(); ++i) {
-    const double limit =
-        std::min(options.range_ratio * ranges[i], ranges[i] - options.range_gap);
+    const double limit = std::min(options.range_ratio * ranges[i], ranges[i] - options.range_gap);
     auto candidate = std::lower_bound(
         hiding.begin(), hiding.end(), azimuths[i] - options.azimuth, [&](std::size_t a, double v) {
           return azimuths[a] < v;

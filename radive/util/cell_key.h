@@ -12,8 +12,7 @@ namespace radive {
 // further out alias others, which costs a few wasted comparisons and nothing else.
 inline std::uint64_t CellKey(std::int64_t x, std::int64_t y, std::int64_t z) {
   constexpr std::uint64_t kMask = (1u << 21) - 1;
-  return (static_cast<std::uint64_t>(x) & kMask) |
-         ((static_cast<std::uint64_t>(y) & kMask) << 21) |
+  return (static_cast<std::uint64_t>(x) & kMask) | ((static_cast<std::uint64_t>(y) & kMask) << 21) |
          ((static_cast<std::uint64_t>(z) & kMask) << 42);
 }
 
