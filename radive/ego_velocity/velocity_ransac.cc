@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "radive/geometry/plane_basis.h"
+
 namespace radive {
 namespace {
 
@@ -20,22 +22,12 @@ int CountInliers(const DopplerEquations& equations, const Eigen::Vector2d& veloc
           .count());
 }
 
-// Two columns that complete `up` to a right-handed orthonormal basis; x and y for up = z.
-Eigen::Matrix<double, 3, 2> HorizontalBasis(const Eigen::Vector3d& up) {
-  const Eigen::Vector3d helper =
-      std::abs(up.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-  Eigen::Matrix<double, 3, 2> basis;
-  basis.col(0) = (helper - up * up.dot(helper)).normalized();
-  basis.col(1) = up.cross(basis.col(0));
-  return basis;
-}
-
 }  // namespace
 
 DopplerEquations MakeDopplerEquations(const std::vector<RadarReturn>& returns,
                                       const Eigen::Vector3d& up_radar) {
   DopplerEquations equations;
-  equations.basis = HorizontalBasis(up_radar);
+  equations.basis = PlaneBasis(up_radar);
   const auto capacity = static_cast<Eigen::Index>(returns.size());
   for (Eigen::ArrayXd* column :
        {&equations.x, &equations.y, &equations.z, &equations.v_doppler, &equations.range}) {

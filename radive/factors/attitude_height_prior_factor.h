@@ -8,6 +8,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "radive/geometry/plane_basis.h"
+
 namespace radive {
 
 // Attitude and height prior factor: a road vehicle keeps its up axis and its height.
@@ -33,11 +35,7 @@ class AttitudeHeightPriorFactor {
                             double sigma_height)
       : up_radar_(up_radar.normalized()), t_reference_(t_reference) {
     const Eigen::Vector3d n = up_submap.normalized();
-    const Eigen::Vector3d seed =
-        std::abs(n.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-    const Eigen::Vector3d b0 = (seed - n * n.dot(seed)).normalized();
-    axes_.row(0) = b0.transpose() / sigma_angle;
-    axes_.row(1) = n.cross(b0).transpose() / sigma_angle;
+    axes_.topRows<2>() = PlaneBasis(n).transpose() / sigma_angle;
     axes_.row(2) = n.transpose() / sigma_height;
   }
 

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <memory>
 
+#include "radive/geometry/plane_basis.h"
 #include "radive/geometry/rigid3.h"
 
 namespace radive {
@@ -25,12 +26,8 @@ using PoseManifold =
 // is that of the pose's left side (p_a of T_a_b).
 class PlanarPoseManifold : public ceres::Manifold {
  public:
-  explicit PlanarPoseManifold(const Eigen::Vector3d& normal) : normal_(normal.normalized()) {
-    const Eigen::Vector3d seed =
-        std::abs(normal_.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-    basis_.col(0) = (seed - normal_ * normal_.dot(seed)).normalized();
-    basis_.col(1) = normal_.cross(basis_.col(0));
-  }
+  explicit PlanarPoseManifold(const Eigen::Vector3d& normal)
+      : normal_(normal.normalized()), basis_(PlaneBasis(normal_)) {}
 
   int AmbientSize() const override { return 7; }
   int TangentSize() const override { return 3; }

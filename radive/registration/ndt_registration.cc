@@ -17,6 +17,7 @@
 #include "radive/factors/no_slip_factor.h"
 #include "radive/factors/rotation_prior_factor.h"
 #include "radive/factors/translation_prior_factor.h"
+#include "radive/geometry/plane_basis.h"
 #include "radive/geometry/pose_manifold.h"
 #include "radive/geometry/sqrt_information.h"
 #include "radive/solver/solve.h"
@@ -101,12 +102,9 @@ Linearised Linearise(const ceres::CostFunction& factor, const PoseBlock& pose) {
 Eigen::MatrixXd FreeDirections(const RegistrationPriors& priors) {
   if (!priors.plane_normal) return Matrix6d::Identity();
   const Eigen::Vector3d n = priors.plane_normal->normalized();
-  const Eigen::Vector3d seed =
-      std::abs(n.x()) < 0.9 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
   Eigen::Matrix<double, 6, 3> free = Eigen::Matrix<double, 6, 3>::Zero();
   free.block<3, 1>(0, 0) = n;
-  free.block<3, 1>(3, 1) = (seed - n * n.dot(seed)).normalized();
-  free.block<3, 1>(3, 2) = n.cross(free.block<3, 1>(3, 1));
+  free.block<3, 2>(3, 1) = PlaneBasis(n);
   return free;
 }
 
