@@ -10,14 +10,10 @@
 #include <optional>
 #include <utility>
 
-#include "radive/ego_velocity/ego_velocity_estimator.h"
-#include "radive/ego_velocity/velocity_discrepancy.h"
 #include "radive/ndt/gaussian_builder.h"
+#include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
 #include "radive/odometry/vehicle_model.h"
-#include "radive/preprocessing/azimuth_bin_filter.h"
-#include "radive/preprocessing/occlusion_counts.h"
-#include "radive/preprocessing/preprocess.h"
 #include "radive/registration/ndt_registration.h"
 #include "radive/util/stopwatch.h"
 
@@ -64,13 +60,6 @@ class Odometry::Impl {
   std::vector<std::string> notes_;
 
  private:
-  // The returns that registration works with.
-  struct FilteredScan {
-    std::vector<RadarReturn> returns;
-    std::vector<double> weights;
-    bool is_planar = false;
-  };
-
   // Where the radar should be, before the scan is looked at.
   struct Prediction {
     Rigid3 T_world_radar;
@@ -78,9 +67,7 @@ class Odometry::Impl {
     bool has_doppler = false;                          // v_mean is from the ego velocity
   };
 
-  FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
-  std::vector<RadarReturn> StaticReturns(const std::vector<RadarReturn>& returns,
-                                         const Eigen::Vector3d& v_radar) const;
+  void NoteMissingDoppler(const RadarScan& scan);
   // Time up to now in which no scan was seen, beyond the usual interval [s].
   double UnseenTime(double dt) const {
     return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
@@ -100,17 +87,13 @@ class Odometry::Impl {
                 double dt,
                 OdometryResult* result);
   Matrix6d PredictedCovariance(const EgoVelocity& velocity, double dt) const;
-  bool IsKeyframe(const Rigid3& T_world_radar) const;
+  bool IsKeyframe(const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);
-  // A velocity to work with: measured, or the last good one, whose covariance has grown since.
-  static bool HasVelocity(const EgoVelocity& velocity) {
-    return velocity.valid || !velocity.covariance.isZero(0.0);
-  }
 
   const OdometryOptions options_;
   // For the radar that the first scan names.
   std::optional<VehicleModel> vehicle_;
-  std::optional<EgoVelocityEstimator> ego_velocity_;
+  std::optional<ScanFilter> filter_;
   std::unique_ptr<Submap> submap_;
 
   int num_scans_ = 0;
@@ -126,62 +109,13 @@ class Odometry::Impl {
   bool has_noted_doppler_ = false;
 };
 
-std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarReturn>& returns,
-                                                       const Eigen::Vector3d& v_radar) const {
-  const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
-  const std::vector<bool> keep =
-      KeepMask(returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio);
-  std::vector<RadarReturn> kept;
-  for (std::size_t i = 0; i < keep.size(); ++i) {
-    if (keep[i]) kept.push_back(returns[i]);
-  }
-  if (!options_.occlusion.enabled) return kept;
-
-  std::vector<double> azimuths, ranges;
-  for (const RadarReturn& radar_return : kept) {
-    azimuths.push_back(std::atan2(radar_return.position.y(), radar_return.position.x()));
-    ranges.push_back(radar_return.position.norm());
-  }
-  const std::vector<int> counts =
-      OcclusionCounts(azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
-  std::vector<RadarReturn> visible;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
-  }
-  return visible;
-}
-
-Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, OdometryResult* result) {
-  Stopwatch stopwatch;
-  FilteredScan filtered;
-  filtered.is_planar = scan.is_planar;
-  filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
-  result->times_ms.preprocessing = stopwatch.Lap();
-
-  const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
-  if (use_doppler) {
-    result->ego_velocity = ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
-    // Without a velocity nothing tells static returns from moving ones.
-    filtered.returns = HasVelocity(result->ego_velocity)
-                           ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
-                           : std::vector<RadarReturn>();
-  } else if (!has_noted_doppler_) {
-    has_noted_doppler_ = true;
-    notes_.push_back(scan.has_doppler
-                         ? "ego velocity is switched off: no dynamic filter, no weights"
-                         : "scans carry no Doppler: ego velocity, dynamic filter and weights are "
-                           "off");
-  }
-  result->times_ms.ego_velocity = stopwatch.Lap();
-  filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
-  filtered.weights = use_doppler && options_.ego_velocity.weights
-                         ? DiscrepancyWeights(filtered.returns,
-                                              result->ego_velocity.v_radar,
-                                              options_.ego_velocity.discrepancy_scale)
-                         : std::vector<double>(filtered.returns.size(), 1.0);
-  result->num_kept = static_cast<int>(filtered.returns.size());
-  result->times_ms.preprocessing += stopwatch.Lap();
-  return filtered;
+void Odometry::Impl::NoteMissingDoppler(const RadarScan& scan) {
+  if (has_noted_doppler_ || (scan.has_doppler && options_.ego_velocity.enabled)) return;
+  has_noted_doppler_ = true;
+  notes_.push_back(scan.has_doppler
+                       ? "ego velocity is switched off: no dynamic filter, no weights"
+                       : "scans carry no Doppler: ego velocity, dynamic filter and weights are "
+                         "off");
 }
 
 Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, double dt) const {
@@ -308,9 +242,15 @@ Matrix6d Odometry::Impl::PredictedCovariance(const EgoVelocity& velocity, double
   return covariance;
 }
 
-bool Odometry::Impl::IsKeyframe(const Rigid3& T_world_radar) const {
+bool Odometry::Impl::IsKeyframe(const OdometryResult& result) const {
+  // Where nothing of the submap is in view for long, it goes on at the prediction: waiting for the
+  // old part would be forever.
+  const bool is_lost = result.status == OdometryResult::Status::kPredicted &&
+                       result.num_gaussians >= options_.registration.min_gaussians &&
+                       time_since_registered_ > options_.motion.restart_time;
+  if (result.status != OdometryResult::Status::kRegistered && !is_lost) return false;
   if (!T_world_keyframe_) return true;
-  const Rigid3 T_keyframe_radar = T_world_keyframe_->Inverse() * T_world_radar;
+  const Rigid3 T_keyframe_radar = T_world_keyframe_->Inverse() * result.T_world_radar;
   return T_keyframe_radar.translation.norm() > options_.submap.keyframe_distance ||
          RotationVector(T_keyframe_radar.rotation).norm() > options_.submap.keyframe_rotation;
 }
@@ -339,7 +279,7 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   if (is_first) {
     const SensorOptions sensor = options_.sensor.ForRadar(scan.radar);
     vehicle_.emplace(options_.motion, sensor.T_vehicle_radar());
-    ego_velocity_.emplace(options_.ego_velocity, sensor, options_.occlusion);
+    filter_.emplace(options_, sensor);
   }
   if (!is_first && scan.stamp_ns <= last_stamp_ns_) {
     result.status = OdometryResult::Status::kSkipped;
@@ -351,7 +291,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
       is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
   vehicle_->Advance(dt);
-  FilteredScan filtered = Filter(scan, &result);
+  NoteMissingDoppler(scan);
+  FilteredScan filtered = filter_->Filter(scan, &result);
   const EgoVelocity& velocity = result.ego_velocity;
   const Prediction prediction = Predict(velocity, dt);
   // What stands now may have moved since the last pose, when that is some scans ago.
@@ -406,9 +347,7 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   last_stamp_ns_ = scan.stamp_ns;
 
   const Stopwatch submap_stopwatch;
-  if (result.status == OdometryResult::Status::kRegistered && IsKeyframe(T_world_radar_)) {
-    AddKeyframe(std::move(filtered), &result);
-  }
+  if (IsKeyframe(result)) AddKeyframe(std::move(filtered), &result);
   result.times_ms.submap = submap_stopwatch.Milliseconds();
   result.times_ms.total = stopwatch.Milliseconds();
   return result;

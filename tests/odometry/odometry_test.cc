@@ -274,6 +274,32 @@ TEST(Odometry, SeesThatItStoppedElsewhere) {
   }
 }
 
+// From one scan to the next all that is seen lies 15 m higher, as where a road leaves a cutting:
+// nothing of the submap is found any more. After restart_time the submap goes on where the Doppler
+// says the radar is.
+TEST(Odometry, GoesOnWhereItsSubmapEnds) {
+  const StreetDrive drive;
+  OdometryOptions options = Options();
+  options.motion.restart_time = 0.97;
+  Odometry odometry(options);
+  // 20 scans of 0.05 s.
+  constexpr int kChange = 20, kRestart = 39;
+  for (int k = 0; k < kRestart + 20; ++k) {
+    RadarScan scan = drive.ScanAt(k);
+    for (RadarReturn& entry : scan.returns) {
+      if (k >= kChange) entry.position.z() += 15.0;
+      entry.doppler = -drive.speed * entry.position.normalized().x();
+    }
+    const OdometryResult result = odometry.AddScan(scan);
+    const bool is_lost = k >= kChange && k <= kRestart;
+    EXPECT_EQ(result.status, is_lost ? Status::kPredicted : Status::kRegistered) << k;
+    if (is_lost) {
+      EXPECT_EQ(result.is_keyframe, k == kRestart) << k;
+    }
+    EXPECT_LT(Error(result, drive.PositionAt(k)), 0.05) << k;
+  }
+}
+
 // With ego velocity off the Doppler is not looked at, and the run says so.
 TEST(Odometry, EgoVelocityCanBeSwitchedOff) {
   const StreetDrive drive;
