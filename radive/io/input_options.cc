@@ -3,10 +3,22 @@
 
 #include "radive/io/input_options.h"
 
+#include "radive/io/field_matching.h"
 #include "radive/io/raw_layout.h"
 #include "radive/io/scan_stamps.h"
+#include "radive/io/text_lines.h"
 
 namespace radive {
+
+namespace {
+
+std::string KnownLayouts() {
+  std::string names;
+  for (const std::string& name : RawLayoutNames()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
 
 std::vector<OptionField> InputOptions::Fields() {
   return {
@@ -18,8 +30,15 @@ std::vector<OptionField> InputOptions::Fields() {
           "layout",
           &layout,
           "-",
-          "Columns of raw records: xyz3, vod7, xyzdp5, tj4d8, or a list of x, y, z, doppler, "
-          "power and _ (ignored), such as [x,y,z,doppler,power,_,_]."},
+          "Columns of raw records: " + KnownLayouts() +
+              ", aeva (aeva29 or aeva25), or a list of x, y, z, doppler, power and _ (ignored), "
+              "such as [x,y,z,doppler,power,_,_]; float32, or with the type: rcs:int8."},
+      OptionField{"fields",
+                  &fields,
+                  "-",
+                  "Fields of the points that have other names than usual, or another choice among "
+                  "them: [doppler=vel_r, power=snr]; _ for none. Roles: x, y, z, range, azimuth, "
+                  "elevation, doppler, power, time."},
       OptionField{"folder",
                   &folder,
                   "-",
@@ -49,7 +68,11 @@ std::vector<OptionField> InputOptions::Fields() {
 bool InputOptions::IsValid(std::string* error) const {
   if (!CheckOptions("input", *this, error)) return false;
   std::string reason;
-  if (!ParseRawLayout(layout, &reason)) {
+  if (!ParseFieldChoices(fields, &reason)) {
+    *error = "input." + reason;
+    return false;
+  }
+  if (LowerCase(layout) != "aeva" && !ParseRawLayout(layout, &reason)) {
     *error = "input." + reason;
     return false;
   }

@@ -40,6 +40,10 @@ struct InputOptions {
   // The raw records are of a sensor without elevation: z is set to 0.
   bool planar = false;
 
+  // Which field of the points has which role, where the names do not tell, see
+  // ParseFieldChoices() in field_matching.h.
+  std::string fields;
+
   // Sign that readers apply. Auto reads as stored: what decides it looks at the scans first.
   double FixedDopplerSign() const { return doppler_sign == DopplerSign::kMinus ? -1.0 : 1.0; }
 

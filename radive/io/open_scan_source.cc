@@ -5,9 +5,8 @@
 
 #include <glog/logging.h>
 
-#include "radive/io/hercules_source.h"
 #include "radive/io/radarscenes_source.h"
-#include "radive/io/raw_float_source.h"
+#include "radive/io/raw_source.h"
 
 namespace radive {
 
@@ -18,9 +17,9 @@ std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
   if (!options.IsValid(error)) return nullptr;
   switch (options.format) {
     case InputOptions::Format::kRaw:
-      return RawFloatSource::Open(path, options, error);
+      return OpenRawSource(path, options, error);
     case InputOptions::Format::kHercules:
-      return HerculesSource::Open(path, options, error);
+      return OpenHerculesSource(path, options, error);
     case InputOptions::Format::kRadarScenes:
       return RadarScenesSource::Open(path, options, error);
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/raw_float_source.h"
+#include "radive/io/raw_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,18 +21,18 @@ using ::testing::HasSubstr;
 using testing::ReadAll;
 using testing::TempFolder;
 
-class RawFloatSourceTest : public ::testing::Test {
+class RawSourceTest : public ::testing::Test {
  protected:
   // The source of the folder, which must open.
-  std::unique_ptr<RawFloatSource> Open() {
-    auto source = RawFloatSource::Open(folder_.path(), options_, &error_);
+  std::unique_ptr<ScanSource> Open() {
+    auto source = OpenRawSource(folder_.path(), options_, &error_);
     EXPECT_NE(source, nullptr) << error_;
     return source;
   }
 
   // What Open says of a folder that must not open.
   std::string OpenError() {
-    EXPECT_EQ(RawFloatSource::Open(folder_.path(), options_, &error_), nullptr);
+    EXPECT_EQ(OpenRawSource(folder_.path(), options_, &error_), nullptr);
     return error_;
   }
 
@@ -42,7 +42,7 @@ class RawFloatSourceTest : public ::testing::Test {
 };
 
 // 20 m ahead, 1 m to the left, 0.5 m up; closing in at 10 m/s.
-TEST_F(RawFloatSourceTest, ReturnAheadThatClosesInHasNegativeDoppler) {
+TEST_F(RawSourceTest, ReturnAheadThatClosesInHasNegativeDoppler) {
   folder_.Write("0.bin", Floats({20.0, 1.0, 0.5, -10.0, 12.5}) + Floats({30, 2, 1, 4, 8}));
   options_.layout = "xyzdp5";
   const auto scans = ReadAll(Open().get());
@@ -58,14 +58,14 @@ TEST_F(RawFloatSourceTest, ReturnAheadThatClosesInHasNegativeDoppler) {
   EXPECT_EQ(scans[0].returns[1].doppler, 4.0);
 }
 
-TEST_F(RawFloatSourceTest, DopplerOfTheOtherSignIsTurned) {
+TEST_F(RawSourceTest, DopplerOfTheOtherSignIsTurned) {
   folder_.Write("0.bin", Floats({20.0, 0.0, 0.0, 10.0, 12.5}));
   options_.layout = "xyzdp5";
   options_.doppler_sign = InputOptions::DopplerSign::kMinus;
   EXPECT_EQ(ReadAll(Open().get())[0].returns[0].doppler, -10.0);
 }
 
-TEST_F(RawFloatSourceTest, PicksTheDeclaredColumns) {
+TEST_F(RawSourceTest, PicksTheDeclaredColumns) {
   // View-of-Delft: x y z RCS v_r v_r_compensated time.
   folder_.Write("0.bin", Floats({20.0, 1.0, 0.5, -7.0, -10.0, 0.25, -1.0}));
   options_.layout = "vod7";
@@ -80,7 +80,7 @@ TEST_F(RawFloatSourceTest, PicksTheDeclaredColumns) {
   EXPECT_EQ(tj4d.power, 17.0);
 }
 
-TEST_F(RawFloatSourceTest, WithoutADopplerColumnThereIsNoDoppler) {
+TEST_F(RawSourceTest, WithoutADopplerColumnThereIsNoDoppler) {
   folder_.Write("0.bin", Floats({20.0, 1.0, 0.5}));
   const auto scans = ReadAll(Open().get());
   EXPECT_FALSE(scans[0].has_doppler);
@@ -88,7 +88,7 @@ TEST_F(RawFloatSourceTest, WithoutADopplerColumnThereIsNoDoppler) {
   EXPECT_TRUE(std::isnan(scans[0].returns[0].power));
 }
 
-TEST_F(RawFloatSourceTest, PlanarSensorsHaveNoHeight) {
+TEST_F(RawSourceTest, PlanarSensorsHaveNoHeight) {
   folder_.Write("0.bin", Floats({20.0, 1.0, 0.5}));
   options_.planar = true;
   auto scans = ReadAll(Open().get());
@@ -103,7 +103,7 @@ TEST_F(RawFloatSourceTest, PlanarSensorsHaveNoHeight) {
   EXPECT_EQ(scans[0].returns[0].doppler, 0.5);
 }
 
-TEST_F(RawFloatSourceTest, FilesAreInTheOrderOfTheirNumbers) {
+TEST_F(RawSourceTest, FilesAreInTheOrderOfTheirNumbers) {
   for (const int k : {10, 9, 100, 2}) {
     folder_.Write(std::to_string(k) + ".bin", Floats({double(k), 0.0, 0.0}));
   }
@@ -114,7 +114,7 @@ TEST_F(RawFloatSourceTest, FilesAreInTheOrderOfTheirNumbers) {
   EXPECT_THAT(testing::FirstX(ReadAll(source.get())), ElementsAre(2.0, 9.0, 10.0, 100.0));
 }
 
-TEST_F(RawFloatSourceTest, StampsAreThePositionOverTheRate) {
+TEST_F(RawSourceTest, StampsAreThePositionOverTheRate) {
   for (int k = 0; k < 7; ++k) folder_.Write(std::to_string(1803 + k) + ".bin", "");
   EXPECT_THAT(testing::Stamps(ReadAll(Open().get())),
               ElementsAre(0, 100000000, 200000000, 300000000, 400000000, 500000000, 600000000));
@@ -123,7 +123,7 @@ TEST_F(RawFloatSourceTest, StampsAreThePositionOverTheRate) {
               ElementsAre(0, 66666667, 133333333, 200000000, 266666667, 333333333, 400000000));
 }
 
-TEST_F(RawFloatSourceTest, TimesFileGivesTheStampsAsTheyAre) {
+TEST_F(RawSourceTest, TimesFileGivesTheStampsAsTheyAre) {
   for (int k = 0; k < 4; ++k) folder_.Write("radar/" + std::to_string(k) + ".bin", "");
   // A repeated stamp and one that goes back: passed on, odometry decides.
   folder_.Write("times.txt", "0.1\n0.25\n0.25\n0.2\n");
@@ -136,7 +136,7 @@ TEST_F(RawFloatSourceTest, TimesFileGivesTheStampsAsTheyAre) {
   EXPECT_THAT(source->Description(), HasSubstr("stamps from times.txt"));
 }
 
-TEST_F(RawFloatSourceTest, TimesFileOfAnotherLengthIsAnError) {
+TEST_F(RawSourceTest, TimesFileOfAnotherLengthIsAnError) {
   for (int k = 0; k < 3; ++k) folder_.Write(std::to_string(k) + ".bin", "");
   folder_.Write("times.txt", "0.1\n0.2\n");
   EXPECT_THAT(OpenError(),
@@ -144,7 +144,7 @@ TEST_F(RawFloatSourceTest, TimesFileOfAnotherLengthIsAnError) {
                     HasSubstr("has 2 stamps, expected one for each of the 3 scans")));
 }
 
-TEST_F(RawFloatSourceTest, NamesThatAreStampsAreUsed) {
+TEST_F(RawSourceTest, NamesThatAreStampsAreUsed) {
   folder_.Write("1693922345123456790.bin", "");
   folder_.Write("1693922345123456789.bin", "");
   EXPECT_THAT(testing::Stamps(ReadAll(Open().get())),
@@ -153,7 +153,7 @@ TEST_F(RawFloatSourceTest, NamesThatAreStampsAreUsed) {
   EXPECT_THAT(OpenError(), AllOf(HasSubstr("17.bin"), HasSubstr("no stamp")));
 }
 
-TEST_F(RawFloatSourceTest, BytesBehindTheLastRecordAreIgnoredWithAWarning) {
+TEST_F(RawSourceTest, BytesBehindTheLastRecordAreIgnoredWithAWarning) {
   folder_.Write("0.bin", Floats({1.0, 2.0, 3.0, 4.0}) + "x");
   folder_.Write("1.bin", Floats({5.0, 6.0, 7.0}));
   const auto source = Open();
@@ -167,7 +167,7 @@ TEST_F(RawFloatSourceTest, BytesBehindTheLastRecordAreIgnoredWithAWarning) {
   EXPECT_TRUE(source->TakeWarnings().empty());
 }
 
-TEST_F(RawFloatSourceTest, ValuesThatAreNoNumbersArePassedOn) {
+TEST_F(RawSourceTest, ValuesThatAreNoNumbersArePassedOn) {
   const double inf = std::numeric_limits<double>::infinity();
   folder_.Write("0.bin", Floats({std::nan(""), 2.0, 3.0, inf, -inf}));
   options_.layout = "xyzdp5";
@@ -177,7 +177,7 @@ TEST_F(RawFloatSourceTest, ValuesThatAreNoNumbersArePassedOn) {
   EXPECT_EQ(only.power, -inf);
 }
 
-TEST_F(RawFloatSourceTest, FilesThatCannotBeReadAreEmptyScansWithAWarning) {
+TEST_F(RawSourceTest, FilesThatCannotBeReadAreEmptyScansWithAWarning) {
   folder_.Write("0.bin", Floats({1.0, 2.0, 3.0}));
   folder_.Write("1.bin", testing::LfsPointer());
   std::filesystem::create_symlink("nowhere", folder_.path() / "2.bin");
@@ -192,13 +192,13 @@ TEST_F(RawFloatSourceTest, FilesThatCannotBeReadAreEmptyScansWithAWarning) {
                           AllOf(HasSubstr("2.bin: "), HasSubstr("empty scan"))));
 }
 
-TEST_F(RawFloatSourceTest, AFolderOfPointersDoesNotOpen) {
+TEST_F(RawSourceTest, AFolderOfPointersDoesNotOpen) {
   folder_.Write("0.bin", testing::LfsPointer());
   folder_.Write("1.bin", testing::LfsPointer());
   EXPECT_THAT(OpenError(), AllOf(HasSubstr(folder_.string()), HasSubstr("git lfs pull")));
 }
 
-TEST_F(RawFloatSourceTest, SkipsWithoutReading) {
+TEST_F(RawSourceTest, SkipsWithoutReading) {
   for (int k = 0; k < 5; ++k) folder_.Write(std::to_string(k) + ".bin", Floats({1.0 * k, 0, 0}));
   folder_.Write("1.bin", "odd");
   const auto source = Open();
@@ -214,18 +214,18 @@ TEST_F(RawFloatSourceTest, SkipsWithoutReading) {
   EXPECT_EQ(source->Skip(1), ScanSource::Status::kEnd);
 }
 
-TEST_F(RawFloatSourceTest, FindsTheUsualFolders) {
+TEST_F(RawSourceTest, FindsTheUsualFolders) {
   for (const char* place : {"radar", "velodyne", "training/velodyne", "radar/training/velodyne"}) {
     const TempFolder drive;
     drive.Write(std::string(place) + "/00007.bin", Floats({7.0, 0.0, 0.0}));
     drive.Write("label_2/00007.txt", "Car");
-    const auto source = RawFloatSource::Open(drive.path(), options_, &error_);
+    const auto source = OpenRawSource(drive.path(), options_, &error_);
     ASSERT_NE(source, nullptr) << error_;
     EXPECT_THAT(testing::FirstX(ReadAll(source.get())), ElementsAre(7.0));
   }
 }
 
-TEST_F(RawFloatSourceTest, SeveralFoldersNeedAChoice) {
+TEST_F(RawSourceTest, SeveralFoldersNeedAChoice) {
   folder_.Write("radar/0.bin", Floats({1.0, 0.0, 0.0}));
   folder_.Write("velodyne/0.bin", Floats({2.0, 0.0, 0.0}));
   EXPECT_THAT(OpenError(),
@@ -238,7 +238,7 @@ TEST_F(RawFloatSourceTest, SeveralFoldersNeedAChoice) {
   EXPECT_THAT(OpenError(), AllOf(HasSubstr(folder_.string()), HasSubstr("in one of: lidar/")));
 }
 
-TEST_F(RawFloatSourceTest, EmptyFolderSaysWhatWasLookedFor) {
+TEST_F(RawSourceTest, EmptyFolderSaysWhatWasLookedFor) {
   EXPECT_THAT(OpenError(),
               AllOf(HasSubstr(folder_.string()),
                     HasSubstr("expected *.bin files"),

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/record_folder_source.h"
+#include "radive/io/point_folder_source.h"
 
 #include <glog/logging.h>
 
@@ -13,19 +13,19 @@
 
 namespace radive {
 
-RecordFolderSource::RecordFolderSource(ScanFolder folder,
-                                       std::size_t record_size,
-                                       std::string format,
-                                       std::string record_name)
+PointFolderSource::PointFolderSource(ScanFolder folder,
+                                     std::unique_ptr<PointFileReader> reader,
+                                     const InputOptions& options,
+                                     std::string format)
     : folder_(std::move(folder)),
-      record_size_(record_size),
+      reader_(std::move(reader)),
       format_(std::move(format)),
-      record_name_(std::move(record_name)) {
-  CHECK_GT(record_size_, 0u);
+      converter_(options) {
+  CHECK(reader_ != nullptr);
   CHECK_EQ(folder_.names.size(), folder_.stamps_ns.size());
 }
 
-ScanSource::Status RecordFolderSource::Next(RadarScan* scan) {
+ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
   if (next_ == folder_.names.size()) return Status::kEnd;
   const std::filesystem::path file = folder_.File(next_);
   scan->stamp_ns = folder_.stamps_ns[next_];
@@ -39,28 +39,42 @@ ScanSource::Status RecordFolderSource::Next(RadarScan* scan) {
   std::string reason;
   if (!ReadWholeFile(file, &content_, &reason)) {
     warnings_.push_back(reason + "; taken as an empty scan");
+    return Status::kScan;
   }
-  const std::size_t count = static_cast<std::size_t>(
-      CountRecords(file, content_.size(), record_size_, record_name_, &warnings_));
-  scan->returns.reserve(count);
-  Decode(std::string_view(content_).substr(0, count * record_size_), scan);
+  PointTable table;
+  std::vector<std::string> remarks;
+  if (!reader_->Read(content_, scan->stamp_ns, &table, &remarks, &reason) ||
+      !converter_.Convert(table, scan, &reason)) {
+    warnings_.push_back(scan->place + ": " + reason + "; taken as an empty scan");
+  }
+  for (const std::string& remark : remarks) warnings_.push_back(scan->place + ": " + remark);
   return Status::kScan;
 }
 
-ScanSource::Status RecordFolderSource::Skip(int count) {
+ScanSource::Status PointFolderSource::Skip(int count) {
   const std::size_t left = folder_.names.size() - next_;
   const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
   next_ += std::min(left, wanted);
   return wanted <= left ? Status::kScan : Status::kEnd;
 }
 
-std::string RecordFolderSource::Description() const {
+std::string PointFolderSource::Description() const {
   return format_ + ", " + std::to_string(folder_.names.size()) + " files in " +
          folder_.path.string() + ", stamps from " + folder_.stamp_origin;
 }
 
-std::optional<int> RecordFolderSource::NumScans() const {
+std::optional<int> PointFolderSource::NumScans() const {
   return static_cast<int>(folder_.names.size());
+}
+
+SourceFacts PointFolderSource::Facts() const {
+  SourceFacts facts;
+  facts.format = format_;
+  facts.place = folder_.path.string();
+  facts.stamp_origin = folder_.stamp_origin;
+  facts.fields = converter_.Summaries();
+  facts.stamps_ns = folder_.stamps_ns;
+  return facts;
 }
 
 }  // namespace radive
