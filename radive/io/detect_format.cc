@@ -42,7 +42,8 @@ constexpr FolderForm kForms[] = {
     {"ColoRadar", "single_chip/pointclouds/data", ".bin", "", Format::kRaw, "coloradar5"},
     {"Doppler-ICP", "point_clouds", ".bin", "ref_poses.txt", Format::kRaw, "dicp4"},
     {"Doppler-ICP", "point_clouds", ".bin", "calibration.json", Format::kRaw, "dicp4"},
-    {"Boreas-RT Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva40"},
+    {"Boreas Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva40"},
+    {"Boreas Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva7"},
 };
 
 constexpr struct {
@@ -53,6 +54,7 @@ constexpr struct {
     {".ply", Format::kPly},
     {".npy", Format::kNpy},
     {".csv", Format::kCsv},
+    {".yaml", Format::kYaml},
 };
 
 constexpr const char* kUsualFolders[] = {"",
@@ -70,6 +72,10 @@ std::string FirstBytes(const fs::path& path) {
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
   std::fclose(file);
   return bytes;
+}
+
+bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
 bool StartsWith(std::string_view text, std::string_view start) {
@@ -139,7 +145,7 @@ class Detection {
     if (extension == ".bin") return RawFile(path_, "");
     return Refuse(
         "cannot tell what this file is; expected a bag (.bag, .mcap, .db3), points "
-        "(.pcd, .ply, .csv, .npy, .bin), or a folder of them, found " +
+        "(.pcd, .ply, .csv, .npy, .yaml, .bin), or a folder of them, found " +
         Quoted(bytes.substr(0, 16)));
   }
 
@@ -198,21 +204,47 @@ class Detection {
   // The drive's form by the names of its folders; also where the path is such a folder itself.
   bool KnownFolder(bool* is_ambiguous) {
     const FolderForm* found = nullptr;
+    fs::path place;
     for (const FolderForm& form : kForms) {
       std::error_code ignored;
       if (*form.sibling != '\0' && !fs::exists(path_ / form.sibling, ignored)) continue;
-      if (Files(path_ / form.folder, form.extension).empty()) continue;
+      const fs::path here = IsItself(form) ? path_ : path_ / form.folder;
+      if (Files(here, form.extension).empty()) continue;
       if (found != nullptr && found->dataset != std::string_view(form.dataset)) {
         *is_ambiguous = true;
         return Refuse("holds " + std::string(found->dataset) + " (" + found->folder + ") and " +
                       form.dataset + " (" + form.folder +
                       "); take a configuration from configs/, or say with input.folder which");
       }
-      if (found == nullptr) found = &form;
+      // Of two releases of a dataset the one whose records fit the files.
+      if (found == nullptr || (!Fits(*found, place) && Fits(form, here))) {
+        found = &form;
+        place = here;
+      }
     }
     if (found == nullptr) return KnownFolderBelow();
-    options_->folder = found->format == Format::kHercules ? "" : found->folder;
-    return TakeForm(*found, "holds " + std::string(found->folder) + "/*" + found->extension);
+    if (found->format != Format::kHercules) {
+      options_->folder = place == path_ ? "." : found->folder;
+    }
+    return TakeForm(*found, "*" + std::string(found->extension) + " in " + place.string());
+  }
+
+  bool IsItself(const FolderForm& form) const {
+    std::string path = fs::absolute(path_).lexically_normal().generic_string();
+    if (EndsWith(path, "/")) path.pop_back();
+    return EndsWith(path, std::string("/") + form.folder);
+  }
+
+  // Whether the records of a raw form divide the first file that is not empty.
+  bool Fits(const FolderForm& form, const fs::path& folder) {
+    for (const std::string& name : Files(folder, form.extension)) {
+      std::error_code failure;
+      const std::uintmax_t size = fs::file_size(folder / name, failure);
+      if (failure || size == 0) continue;
+      const std::vector<std::string> layouts = LayoutsOfSize(static_cast<std::size_t>(size));
+      return std::find(layouts.begin(), layouts.end(), form.layout) != layouts.end();
+    }
+    return false;
   }
 
   // Users unpack the archives of HeRCULES into folders of their own.
@@ -225,7 +257,7 @@ class Detection {
       if (it.depth() >= 4) it.disable_recursion_pending();
       if (!it->is_directory(ignored)) continue;
       if (it->path().filename() == "Continental" && !Files(it->path(), ".bin").empty()) {
-        return TakeForm(kForms[0], "holds " + it->path().string());
+        return TakeForm(kForms[0], "*.bin in " + it->path().string());
       }
     }
     return false;

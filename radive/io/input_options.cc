@@ -33,6 +33,7 @@ std::vector<OptionField> InputOptions::Fields() {
                               "ply",
                               "csv",
                               "npy",
+                              "yaml",
                               "raflow",
                               "rosbag1",
                               "rosbag2",

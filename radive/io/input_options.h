@@ -21,6 +21,7 @@ struct InputOptions {
     kPly,
     kCsv,
     kNpy,
+    kYaml,
     kRaFlow,   // RaFlow's JSON files with pairs of scans
     kRosbag1,  // ROS 1 bag, or a folder of them
     kRosbag2,  // ROS 2 bag with SQLite

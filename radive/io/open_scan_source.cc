@@ -37,6 +37,8 @@ std::unique_ptr<ScanSource> OpenStored(const std::string& path,
       return OpenPointFileSource(path, PointFileFormat::kCsv, options, error);
     case Format::kNpy:
       return OpenPointFileSource(path, PointFileFormat::kNpy, options, error);
+    case Format::kYaml:
+      return OpenPointFileSource(path, PointFileFormat::kYaml, options, error);
     case Format::kRaFlow:
       return RaFlowSource::Open(path, options, error);
     case Format::kRosbag1:

@@ -15,6 +15,7 @@
 #include "radive/io/ply.h"
 #include "radive/io/point_folder_source.h"
 #include "radive/io/raw_layout.h"
+#include "radive/io/yaml_points.h"
 
 namespace radive {
 namespace {
@@ -49,6 +50,8 @@ class FormatReader : public PointFileReader {
         return ParseCsvPoints(bytes, table, remarks, error);
       case PointFileFormat::kNpy:
         return ParseNpy(bytes, columns_, table, remarks, error);
+      case PointFileFormat::kYaml:
+        return ParseYamlPoints(bytes, table, remarks, error);
     }
     LOG(FATAL) << "unknown format of point files";
     return false;
@@ -71,6 +74,8 @@ const char* NameOf(PointFileFormat format) {
       return "CSV";
     case PointFileFormat::kNpy:
       return "npy";
+    case PointFileFormat::kYaml:
+      return "YAML";
   }
   return "?";
 }
@@ -85,6 +90,8 @@ const char* ExtensionOf(PointFileFormat format) {
       return ".csv";
     case PointFileFormat::kNpy:
       return ".npy";
+    case PointFileFormat::kYaml:
+      return ".yaml";
   }
   return "?";
 }

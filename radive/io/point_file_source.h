@@ -13,7 +13,7 @@
 namespace radive {
 
 // Formats with one self-describing file of points a scan.
-enum class PointFileFormat { kPcd, kPly, kCsv, kNpy };
+enum class PointFileFormat { kPcd, kPly, kCsv, kNpy, kYaml };
 
 // "PCD", ...
 const char* NameOf(PointFileFormat format);

@@ -124,6 +124,47 @@ TEST(RealDrives, InspectAndRunWithTheirConfiguration) {
   }
 }
 
+// Headers that promise what no memory holds, read by a process that has little.
+TEST(RadiveInspect, HostileCountsCostNoMemory) {
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "the sanitizer reserves more address space than the limit";
+#endif
+  const TempFolder folder;
+  const std::string pcd = "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 4000000000\nHEIGHT 1\n";
+  const std::string points = "POINTS 4000000000\n";
+  folder.Write("a.pcd", pcd + points + "DATA ascii\n1 2 3\n");
+  folder.Write("b.pcd", pcd + points + "DATA binary\n" + Floats({1, 2, 3}));
+  folder.Write("c.pcd",
+               pcd + "DATA binary_compressed\n" + std::string("\3\0\0\0\xF0\xFF\xFF\xFF", 8));
+  folder.Write(
+      "d.ply",
+      "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nproperty "
+      "float x\nproperty float y\nproperty list uint float w\nend_header\n" +
+          Floats({1, 2}) + "\xFF\xFF\xFF\xFF");
+  folder.Write("e.npy",
+               std::string("\x93NUMPY\1\0\x46\0", 10) +
+                   "{'descr': '<f8', 'fortran_order': True, 'shape': (99999999999999, 3)}\n");
+  for (const char* name : {"a.pcd", "b.pcd", "c.pcd", "d.ply", "e.npy"}) {
+    const std::string command = std::string("ulimit -v 400000; exec '") + RADIVE_INSPECT + "' '" +
+                                (folder.path() / name).string() + "'";
+    const Outcome run = RunProgram("/bin/sh", {"-c", command});
+    EXPECT_EQ(run.code, 0) << name << run.output;
+    EXPECT_THAT(run.output, HasSubstr("warning:")) << name;
+  }
+}
+
+// One decoded frame of an ARS548, as YAML.
+TEST(RealDrives, AFrameInYaml) {
+  RADIVE_SKIP_WITHOUT("ars548-nebula");
+  const std::string name = "ars548-nebula/1708578204_202447652_detection.yaml";
+  const json report = Inspect((SharedData() / name).string(), "");
+  EXPECT_EQ(report["format"], "yaml");
+  EXPECT_EQ(report["returns_per_scan"], 308.0);
+  EXPECT_EQ(report["dimensions"], 3);
+  EXPECT_EQ(report["has_doppler"], true);
+  EXPECT_EQ(report["why_no_drive"], "there is only one scan");
+}
+
 TEST(RealDrives, SingleFramesAreNoDrive) {
   RADIVE_SKIP_WITHOUT("vod-example-frames");
   const json report = Inspect((SharedData() / "vod-example-frames").string(), "");

@@ -164,6 +164,15 @@ TEST(DamagedFiles, Npy) {
   ReadDamagedFiles("0.npy", bytes, InputOptions::Format::kNpy, 11);
 }
 
+TEST(DamagedFiles, Yaml) {
+  ReadDamagedFiles(
+      "0.yaml",
+      "sec: 1\ndetections:\n  - range: 10\n    azimuth_angle: 0.5\n    range_rate: -3\n"
+      "  - range: 20\n    azimuth_angle: -0.5\n    range_rate: -4\nend: 1\n",
+      InputOptions::Format::kYaml,
+      13);
+}
+
 TEST(DamagedFiles, RaFlow) {
   const std::string scan =
       R"({"car_loc_x":[1,2],"car_loc_y":[3,4],"car_loc_z":[0,0],"car_vel_r":[-1,-1],)"

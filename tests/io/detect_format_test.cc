@@ -105,6 +105,11 @@ TEST(DetectFormat, FoldersByWhatTheyHold) {
     EXPECT_THAT(found.reason, HasSubstr(c.reason));
   }
   const TempFolder folder;
+  folder.Write("aeva/1700000000000000.bin", Floats({1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(Detect(folder.path()).layout, "boreas_aeva7");
+  EXPECT_EQ(Detect(folder.path() / "aeva").layout, "boreas_aeva7");
+  EXPECT_EQ(Detect(folder.path() / "aeva/").format, Format::kRaw);
+  std::filesystem::remove_all(folder.path() / "aeva");
   folder.Write("point_clouds/00001.bin", Floats({1, 2, 3, 4}));
   EXPECT_EQ(Detect(folder.path()).format, Format::kAuto);
   folder.Write("ref_poses.txt", "0.0 0 0 0 0 0 0 1\n");
