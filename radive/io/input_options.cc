@@ -22,10 +22,12 @@ std::string KnownLayouts() {
 
 std::vector<OptionField> InputOptions::Fields() {
   return {
-      OptionField{"format",
-                  MakeChoice(&format, {"raw", "hercules", "radarscenes"}),
-                  "-",
-                  "Kind of scan files: raw float32 records, HeRCULES Continental, or RadarScenes."},
+      OptionField{
+          "format",
+          MakeChoice(&format, {"raw", "hercules", "radarscenes", "rosbag1", "rosbag2", "mcap"}),
+          "-",
+          "Kind of scan files: raw float32 records, HeRCULES Continental, RadarScenes, or "
+          "bags with point clouds: ROS 1, rosbag 2 (SQLite or MCAP), MCAP."},
       OptionField{
           "layout",
           &layout,
@@ -62,6 +64,16 @@ std::vector<OptionField> InputOptions::Fields() {
                   &planar,
                   "-",
                   "Raw records of a sensor that measures no elevation: z is set to 0."},
+      OptionField{"topic",
+                  &topic,
+                  "-",
+                  "Topic of a bag with the point clouds; empty: the only one that has any."},
+      OptionField{"max_message_bytes",
+                  &max_message_bytes,
+                  "bytes",
+                  "Largest message that is read from a bag; the chunks of a bag may be a little "
+                  "larger."}
+          .AtLeast(1024),
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include <glog/logging.h>
 
+#include "radive/io/bag/bag_source.h"
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/raw_source.h"
 
@@ -22,6 +23,12 @@ std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
       return OpenHerculesSource(path, options, error);
     case InputOptions::Format::kRadarScenes:
       return RadarScenesSource::Open(path, options, error);
+    case InputOptions::Format::kRosbag1:
+      return BagSource::Open(path, BagFormat::kRosbag1, options, error);
+    case InputOptions::Format::kRosbag2:
+      return BagSource::Open(path, BagFormat::kRosbag2, options, error);
+    case InputOptions::Format::kMcap:
+      return BagSource::Open(path, BagFormat::kMcap, options, error);
   }
   LOG(FATAL) << "unknown input format";
   return nullptr;
