@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(AllForms,
 
 // compression_mode FILE: the whole .db3 or .mcap is a zstd file.
 TEST(PackedBag, IsUnpackedBehindTheScenes) {
-  for (const BagForm& form : {BagForm{"sqlite", BagFormat::kRosbag2},
-                              BagForm{"part.mcap", BagFormat::kMcap}}) {
+  for (const BagForm& form :
+       {BagForm{"sqlite", BagFormat::kRosbag2}, BagForm{"part.mcap", BagFormat::kMcap}}) {
     const ScratchFolder folder;
     const std::vector<RadarScan> scans = testing::MadeScans(6);
     const bool is_mcap = form.format == BagFormat::kMcap;
@@ -117,8 +117,8 @@ TEST(PackedBag, IsUnpackedBehindTheScenes) {
         << "\n  relative_file_paths:\n    - bag/part.zstd\n  compression_format: zstd\n"
            "  compression_mode: FILE\n";
     std::string error;
-    const auto source = BagSource::Open(
-        folder.path() / "packed", BagFormat::kRosbag2, InputOptions(), &error);
+    const auto source =
+        BagSource::Open(folder.path() / "packed", BagFormat::kRosbag2, InputOptions(), &error);
     ASSERT_NE(source, nullptr) << error;
     testing::ExpectSameScans(testing::ReadAll(source.get()), scans);
   }

@@ -110,12 +110,12 @@ TEST(PointCloud2, IsReadFromRos1) {
 TEST(PointCloud2, IsReadFromCdr) {
   const std::string payload =
       Bytes({0, 1, 0, 0}) + U32(7) + U32(8) + Text(std::string("fr\0", 3)) + Bytes({0}) +  // 16
-      U32(1) + U32(2) + U32(3) +                                                            // 28
+      U32(1) + U32(2) + U32(3) +                                                           // 28
       Text(std::string("x\0", 2)) + Bytes({0, 0}) + U32(4) + Bytes({7, 0, 0, 0}) + U32(1) +
       Text(std::string("y\0", 2)) + Bytes({0, 0}) + U32(0) + Bytes({7, 0, 0, 0}) + U32(1) +
-      Text(std::string("v_r\0", 4)) + U32(8) + Bytes({3, 0, 0, 0}) + U32(1) +
-      Bytes({0, 0, 0, 0}) + U32(12) + U32(24) + U32(24) + F32(5) + F32(6) + Bytes({0xFE, 0xFF, 9, 9}) +
-      F32(7) + F32(8) + Bytes({3, 0, 9, 9}) + Bytes({1});
+      Text(std::string("v_r\0", 4)) + U32(8) + Bytes({3, 0, 0, 0}) + U32(1) + Bytes({0, 0, 0, 0}) +
+      U32(12) + U32(24) + U32(24) + F32(5) + F32(6) + Bytes({0xFE, 0xFF, 9, 9}) + F32(7) + F32(8) +
+      Bytes({3, 0, 9, 9}) + Bytes({1});
   const RadarScan scan = Read(payload, kCdrCloud2);
   ASSERT_EQ(scan.returns.size(), 2u);
   EXPECT_EQ(scan.returns[0].position, Eigen::Vector3d(6, 5, 0));
@@ -234,11 +234,11 @@ TEST(PointCloud, ChannelsAreFoundByName) {
   const std::string ros1 = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) + Text("Power") +
                            U32(2) + F32(10) + F32(20) + Text("Doppler") + U32(2) + F32(-1.5F) +
                            F32(2.5F);
-  const std::string cdr =
-      NamedChannels(Bytes({0, 1, 0, 0}) + U32(7) + U32(8) + Text(std::string(1, '\0')) +
-                        Bytes({0, 0, 0})) +
-      Text(std::string("Power\0", 6)) + Bytes({0, 0}) + U32(2) + F32(10) + F32(20) +
-      Text(std::string("Doppler\0", 8)) + U32(2) + F32(-1.5F) + F32(2.5F);
+  const std::string cdr = NamedChannels(Bytes({0, 1, 0, 0}) + U32(7) + U32(8) +
+                                        Text(std::string(1, '\0')) + Bytes({0, 0, 0})) +
+                          Text(std::string("Power\0", 6)) + Bytes({0, 0}) + U32(2) + F32(10) +
+                          F32(20) + Text(std::string("Doppler\0", 8)) + U32(2) + F32(-1.5F) +
+                          F32(2.5F);
   for (const auto& [payload, topic] : {std::pair(ros1, kRos1Cloud), std::pair(cdr, kCdrCloud)}) {
     const RadarScan scan = Read(payload, topic);
     ASSERT_EQ(scan.returns.size(), 2u);
@@ -254,8 +254,8 @@ TEST(PointCloud, ChannelsAreFoundByName) {
 }
 
 TEST(PointCloud, AChannelOfAnotherLengthIsAnError) {
-  const std::string payload = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) +
-                              Text("Doppler") + U32(1) + F32(1) + Text("Power") + U32(0);
+  const std::string payload = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) + Text("Doppler") +
+                              U32(1) + F32(1) + Text("Power") + U32(0);
   EXPECT_THAT(ErrorOf(payload, kRos1Cloud), HasSubstr("channel 'Doppler' has 1 values for 2"));
 }
 
@@ -270,9 +270,8 @@ TEST(PointCloudMessages, CutAtAnyByteIsAnError) {
     }
     EXPECT_EQ(Read(payload.substr(0, payload.size() - 1), topic).returns.size(), 3u);
   }
-  const std::string payload = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) +
-                              Text("Doppler") + U32(2) + F32(1) + F32(2) + Text("Power") + U32(2) +
-                              F32(3) + F32(4);
+  const std::string payload = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) + Text("Doppler") +
+                              U32(2) + F32(1) + F32(2) + Text("Power") + U32(2) + F32(3) + F32(4);
   for (std::size_t size = 0; size < payload.size(); ++size) {
     EXPECT_NE(ErrorOf(payload.substr(0, size), kRos1Cloud), "") << size;
   }
