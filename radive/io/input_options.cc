@@ -89,6 +89,16 @@ std::vector<OptionField> InputOptions::Fields() {
                   &planar,
                   "-",
                   "Raw records of a sensor that measures no elevation: z is set to 0."},
+      OptionField{"topic",
+                  &topic,
+                  "-",
+                  "Topic of a bag with the point clouds; empty: the only one that has any."},
+      OptionField{"max_message_bytes",
+                  &max_message_bytes,
+                  "bytes",
+                  "Largest message that is read from a bag; the chunks of a bag may be a little "
+                  "larger."}
+          .AtLeast(1024),
   };
 }
 

@@ -24,8 +24,8 @@ struct InputOptions {
     kYaml,
     kRaFlow,   // RaFlow's JSON files with pairs of scans
     kRosbag1,  // ROS 1 bag, or a folder of them
-    kRosbag2,  // ROS 2 bag with SQLite
-    kMcap      // MCAP file, or a ROS 2 bag of them
+    kRosbag2,  // rosbag 2: folder with metadata.yaml, or its files
+    kMcap      // MCAP file, or a folder of them
   };
   enum class DopplerSign { kAuto, kPlus, kMinus };
 
@@ -61,6 +61,12 @@ struct InputOptions {
   // Which field of the points has which role, where the names do not tell, see
   // ParseFieldChoices() in field_matching.h.
   std::string fields;
+
+  // Topic of a bag; empty: the only one with point clouds.
+  std::string topic;
+
+  // Largest message that is read from a bag [bytes].
+  int max_message_bytes = 256 << 20;
 
   // Sign that readers apply. Auto reads as stored: what decides it looks at the scans first.
   double FixedDopplerSign() const { return doppler_sign == DopplerSign::kMinus ? -1.0 : 1.0; }

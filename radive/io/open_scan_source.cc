@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radive/io/axes.h"
+#include "radive/io/bag/bag_source.h"
 #include "radive/io/detect_format.h"
 #include "radive/io/point_file_source.h"
 #include "radive/io/radarscenes_source.h"
@@ -42,10 +43,11 @@ std::unique_ptr<ScanSource> OpenStored(const std::string& path,
     case Format::kRaFlow:
       return RaFlowSource::Open(path, options, error);
     case Format::kRosbag1:
+      return BagSource::Open(path, BagFormat::kRosbag1, options, error);
     case Format::kRosbag2:
+      return BagSource::Open(path, BagFormat::kRosbag2, options, error);
     case Format::kMcap:
-      *error = path + ": a bag; reading bags is not built in";
-      return nullptr;
+      return BagSource::Open(path, BagFormat::kMcap, options, error);
     case Format::kAuto:
       break;
   }

@@ -3,10 +3,12 @@
 
 #include "radive/io/scan_writer.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <system_error>
 
+#include "radive/io/bag/bag_scan_writer.h"
 #include "radive/io/point_file_writer.h"
 #include "radive/io/stamp_text.h"
 #include "radive/io/whole_file.h"
@@ -119,6 +121,8 @@ const std::vector<std::string>& ScanWriterNames() {
   static const std::vector<std::string>* const names = [] {
     auto* const list = new std::vector<std::string>();
     for (const FileForm& form : kForms) list->emplace_back(form.name);
+    const std::vector<std::string>& bags = BagScanWriterNames();
+    list->insert(list->end(), bags.begin(), bags.end());
     return list;
   }();
   return *names;
@@ -136,6 +140,10 @@ std::unique_ptr<ScanWriter> OpenScanWriter(const std::string& format,
       return nullptr;
     }
     return std::make_unique<PointFileWriter>(form, folder);
+  }
+  const std::vector<std::string>& bags = BagScanWriterNames();
+  if (std::find(bags.begin(), bags.end(), format) != bags.end()) {
+    return OpenBagScanWriter(format, folder, error);
   }
   std::string names;
   for (const std::string& name : ScanWriterNames()) names += " " + name;

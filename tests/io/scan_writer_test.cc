@@ -46,7 +46,9 @@ TEST(ScanWriter, WhatIsWrittenComesBack) {
     const auto source = OpenScanSource(folder.string(), options, &error);
     ASSERT_NE(source, nullptr) << format << ": " << error;
     const std::vector<RadarScan> read = testing::ReadAll(source.get());
-    EXPECT_TRUE(source->TakeWarnings().empty()) << format;
+    // A bag without its index is read all the same, but not in silence.
+    const bool has_no_index = format.find("unindexed") != std::string::npos;
+    EXPECT_EQ(source->TakeWarnings().empty(), !has_no_index) << format;
     ASSERT_EQ(read.size(), drive.size()) << format;
     const double power_offset = format == "snail" ? 128.0 : 0.0;
     for (std::size_t k = 0; k < drive.size(); ++k) {
