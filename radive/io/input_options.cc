@@ -85,10 +85,8 @@ std::vector<OptionField> InputOptions::Fields() {
                   MakeChoice(&doppler_sign, {"auto", "+1", "-1"}),
                   "-",
                   "Factor that makes the stored Doppler a range rate, positive when moving away."},
-      OptionField{"planar",
-                  &planar,
-                  "-",
-                  "Raw records of a sensor that measures no elevation: z is set to 0."},
+      OptionField{
+          "planar", &planar, "-", "Data of a sensor that measures no elevation: z is set to 0."},
       OptionField{"topic",
                   &topic,
                   "-",

@@ -55,7 +55,7 @@ struct InputOptions {
   // What stored Doppler values are multiplied with to become range rates (positive receding).
   DopplerSign doppler_sign = DopplerSign::kAuto;
 
-  // The raw records are of a sensor without elevation: z is set to 0.
+  // The data are of a sensor without elevation: z is set to 0.
   bool planar = false;
 
   // Which field of the points has which role, where the names do not tell, see

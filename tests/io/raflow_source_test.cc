@@ -8,6 +8,7 @@
 
 #include "radive/io/raflow_json.h"
 #include "tests/io/scan_files.h"
+#include "tests/shared_data.h"
 
 namespace radive {
 namespace {
@@ -76,6 +77,31 @@ TEST_F(RaFlowSourceTest, SaysWhatIsWrong) {
   folder_.Write(Name(0, 1), "{\"pc1\":" + Scan(1) + "}");
   EXPECT_EQ(Open(), nullptr);
   EXPECT_THAT(error_, HasSubstr("samples-1.json: interval: expected the seconds"));
+}
+
+// Every file is in one clip; the gap-free runs are those that the data's own description lists.
+TEST(RaFlowSource, ClipsOfTheRealData) {
+  RADIVE_SKIP_WITHOUT("raflow-inhouse");
+  std::string error;
+  std::string all;
+  int num_pairs = 0;
+  InputOptions options;
+  for (options.clip = 1; options.clip <= 30; ++options.clip) {
+    const auto source =
+        RaFlowSource::Open(testing::SharedData() / "raflow-inhouse", options, &error);
+    ASSERT_NE(source, nullptr) << error;
+    const auto scans = testing::ReadAll(source.get());
+    num_pairs += static_cast<int>(scans.size()) - 1;
+    for (const RadarScan& scan : scans) EXPECT_GT(scan.returns.size(), 200u);
+    all += source->Description() + "\n";
+  }
+  EXPECT_EQ(num_pairs, 90);
+  for (const char* clip : {"samples 6 to 17 of sequence 0",
+                           "samples 622 to 626 of sequence 1",
+                           "samples 1986 to 1991 of sequence 2",
+                           "samples 10 to 20 of sequence 0"}) {
+    EXPECT_THAT(all, HasSubstr(clip));
+  }
 }
 
 TEST(ParseRaFlowPair, SaysWhatIsWrong) {

@@ -146,6 +146,89 @@ TEST_F(RawSourceTest, TimesFileOfAnotherLengthIsAnError) {
                     HasSubstr("has 2 stamps, expected one for each of the 3 scans")));
 }
 
+// ColoRadar: data/ holds the scans, timestamps.txt lies above it.
+TEST_F(RawSourceTest, TimestampsMayLieAboveTheScans) {
+  for (int k = 0; k < 2; ++k) {
+    folder_.Write("clouds/data/radar_pointcloud_" + std::to_string(9 + k) + ".bin",
+                  Floats({double(k), 0, 0}));
+  }
+  folder_.Write("clouds/timestamps.txt", "1608606283.100000000\n1608606283.200000000\n");
+  options_.folder = "clouds/data";
+  const auto scans = ReadAll(Open().get());
+  EXPECT_THAT(testing::FirstX(scans), ElementsAre(0.0, 1.0));
+  EXPECT_THAT(testing::Stamps(scans), ElementsAre(1608606283100000000, 1608606283200000000));
+}
+
+// Doppler-ICP: the stamps are the first column of a trajectory.
+TEST_F(RawSourceTest, ReferencePosesGiveStamps) {
+  for (int k = 0; k < 2; ++k) folder_.Write("point_clouds/0000" + std::to_string(k) + ".bin", "");
+  folder_.Write("ref_poses.txt", "# t x y z\n0 0 0 0 0 0 0 1\n0.1 1 0 0 0 0 0 1\n");
+  options_.folder = "point_clouds";
+  EXPECT_THAT(testing::Stamps(ReadAll(Open().get())), ElementsAre(0, 100000000));
+}
+
+TEST_F(RawSourceTest, AFolderFurtherDownIsFound) {
+  folder_.Write("unpacked/here/LiDAR/Aeva/7.bin", Floats({7, 0, 0}));
+  options_.folder = "LiDAR/Aeva";
+  EXPECT_THAT(testing::FirstX(ReadAll(Open().get())), ElementsAre(7.0));
+}
+
+TEST_F(RawSourceTest, OneFileIsADriveOfOneScan) {
+  folder_.Write("0.bin", Floats({1, 2, 3}));
+  folder_.Write("1693922345123456789.bin", Floats({4, 5, 6}));
+  const auto source = OpenRawSource(folder_.path() / "1693922345123456789.bin", options_, &error_);
+  ASSERT_NE(source, nullptr) << error_;
+  const auto scans = ReadAll(source.get());
+  EXPECT_THAT(testing::FirstX(scans), ElementsAre(4.0));
+  EXPECT_EQ(scans[0].stamp_ns, 1693922345123456789);
+}
+
+// x y z reflectivity velocity, time as int32, line as uint8, and in the longer form intensity.
+TEST_F(RawSourceTest, AevaRecordsHaveTwoSizes) {
+  const std::string start = Floats({20, 1, 0.5, 30, -10}) + std::string("\x01\x00\x00\x00\x07", 5);
+  const std::string longer = start + Floats({55});
+  const std::string early = "1691936557946849179";
+  const std::string late = "1691936557946849180";
+  // 25 * 29 bytes are both: the stamp decides.
+  std::string both;
+  for (int i = 0; i < 29; ++i) both += start;
+  folder_.Write(early + ".bin", both);
+  folder_.Write(late + ".bin", longer + longer);
+  options_.layout = "aeva";
+  const auto source = Open();
+  const auto scans = ReadAll(source.get());
+  ASSERT_EQ(scans[0].returns.size(), 29u);
+  EXPECT_EQ(scans[0].returns[28].doppler, -10.0);
+  EXPECT_EQ(scans[0].returns[28].power, 30.0);  // no intensity: the reflectivity
+  ASSERT_EQ(scans[1].returns.size(), 2u);
+  EXPECT_EQ(scans[1].returns[1].position, Eigen::Vector3d(20.0, 1.0, 0.5));
+  EXPECT_EQ(scans[1].returns[1].doppler, -10.0);
+  EXPECT_EQ(scans[1].returns[1].power, 55.0);
+  EXPECT_TRUE(source->TakeWarnings().empty());
+}
+
+// What the documentation of each dataset says of its columns: x is 20, the Doppler -10, power 30.
+TEST_F(RawSourceTest, PicksTheColumnsOfEachDataset) {
+  const std::pair<const char*, std::string> cases[] = {
+      {"mscrad17", Floats({20, 0, 0, 0, 0, 0, 0, 1, 2, 20, -10, 30, 99, 1, 0, 0, 0})},
+      {"coloradar5", Floats({20, 0, 0, 30, -10})},
+      {"dualradar5", Floats({20, 0, 0, 30, -10})},
+      {"boreas_aeva7", Floats({20, 0, 0, 30, -10, 3, 0.1})},
+      {"boreas_aeva40", Floats({20, 0, 0, -10, 30, 1, 2, 0.1}) + std::string(8, '\x01')},
+      {"hercules29", Floats({20, 0, 0, -10, 20}) + '\x1E' + Floats({0, 0})},
+  };
+  for (const auto& [layout, record] : cases) {
+    folder_.Write("0.bin", record);
+    options_.layout = layout;
+    const auto source = Open();
+    const RadarReturn only = ReadAll(source.get()).at(0).returns.at(0);
+    EXPECT_EQ(only.position, Eigen::Vector3d(20, 0, 0)) << layout;
+    EXPECT_EQ(only.doppler, -10.0) << layout;
+    EXPECT_EQ(only.power, 30.0) << layout;
+    EXPECT_TRUE(source->TakeWarnings().empty()) << layout;
+  }
+}
+
 TEST_F(RawSourceTest, NamesThatAreStampsAreUsed) {
   folder_.Write("1693922345123456790.bin", "");
   folder_.Write("1693922345123456789.bin", "");
