@@ -201,14 +201,17 @@ bool Decompress(Compression compression,
                 std::uint64_t size,
                 std::string* unpacked,
                 std::string* error) {
+  if (compression == Compression::kNone) {
+    const std::uint64_t kept = std::min<std::uint64_t>(size, packed.size());
+    unpacked->assign(packed.substr(0, static_cast<std::size_t>(kept)));
+    if (packed.size() == size) return true;
+    *error = "has " + std::to_string(packed.size()) + " bytes instead of " + std::to_string(size);
+    return false;
+  }
   Output output(size, packed.size(), unpacked);
   switch (compression) {
     case Compression::kNone:
-      unpacked->assign(
-          packed.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(size, packed.size()))));
-      if (packed.size() == size) return true;
-      *error = "has " + std::to_string(packed.size()) + " bytes instead of " + std::to_string(size);
-      return false;
+      break;
     case Compression::kBz2:
       return DecompressBz2(packed, &output, error);
     case Compression::kLz4:
