@@ -66,8 +66,8 @@ class FieldMatch {
 //   doppler    doppler v_doppler_mps velocity radial_velocity radial_speed v_r vr range_rate
 //              rangeRate v vel speed car_vel_r
 //   power      power snr_db snr intensity rcs reflectivity
-//   range      range r                 azimuth  azimuth az azimuth_deg
-//   elevation  elevation el elevation_deg
+//   range      range r                 azimuth  azimuth az azimuth_angle azimuth_deg
+//   elevation  elevation el elevation_angle elevation_deg
 //   time       t time timestamp timestamps stamps time_offset_ns offset_time
 //
 // Nothing, with the names of all fields in `error`, when there are neither x and y nor range and

@@ -3,6 +3,7 @@
 
 #include "radive/io/input_options.h"
 
+#include "radive/io/axes.h"
 #include "radive/io/field_matching.h"
 #include "radive/io/raw_layout.h"
 #include "radive/io/scan_stamps.h"
@@ -22,17 +23,29 @@ std::string KnownLayouts() {
 
 std::vector<OptionField> InputOptions::Fields() {
   return {
-      OptionField{
-          "format",
-          MakeChoice(&format, {"raw", "hercules", "radarscenes", "rosbag1", "rosbag2", "mcap"}),
-          "-",
-          "Kind of scan files: raw float32 records, HeRCULES Continental, RadarScenes, or "
-          "bags with point clouds: ROS 1, rosbag 2 (SQLite or MCAP), MCAP."},
+      OptionField{"format",
+                  MakeChoice(&format,
+                             {"auto",
+                              "raw",
+                              "hercules",
+                              "radarscenes",
+                              "pcd",
+                              "ply",
+                              "csv",
+                              "npy",
+                              "yaml",
+                              "raflow",
+                              "rosbag1",
+                              "rosbag2",
+                              "mcap"}),
+                  "-",
+                  "Form of the data; auto finds it out and says why."},
       OptionField{
           "layout",
           &layout,
           "-",
-          "Columns of raw records: " + KnownLayouts() +
+          "Columns of raw records and npy arrays; empty: found out where the dataset is known: " +
+              KnownLayouts() +
               ", aeva (aeva29 or aeva25), or a list of x, y, z, doppler, power and _ (ignored), "
               "such as [x,y,z,doppler,power,_,_]; float32, or with the type: rcs:int8."},
       OptionField{"fields",
@@ -41,11 +54,12 @@ std::vector<OptionField> InputOptions::Fields() {
                   "Fields of the points that have other names than usual, or another choice among "
                   "them: [doppler=vel_r, power=snr]; _ for none. Roles: x, y, z, range, azimuth, "
                   "elevation, doppler, power, time."},
-      OptionField{"folder",
-                  &folder,
-                  "-",
-                  "Folder with the scan files, relative to the input; empty: the usual places are "
-                  "searched."},
+      OptionField{
+          "folder",
+          &folder,
+          "-",
+          "Folder with the scan files, relative to the input or to a folder below it; empty: "
+          "the usual places are searched."},
       OptionField{"rate",
                   &rate,
                   "Hz",
@@ -56,6 +70,17 @@ std::vector<OptionField> InputOptions::Fields() {
                   &radar,
                   "-",
                   "Which radar of the vehicle, for data with several: its number from 1, or all."},
+      OptionField{"clip",
+                  &clip,
+                  "-",
+                  "Which clip, for data in clips of consecutive scans, from 1; 0: the longest."}
+          .AtLeast(0),
+      OptionField{
+          "axes",
+          &axes,
+          "-",
+          "Where x forward, y left and z up come from in the data: a signed permutation like "
+          "+x+y+z or +z-x-y, flu, rdf (right, down, forward), or auto."},
       OptionField{"doppler_sign",
                   MakeChoice(&doppler_sign, {"auto", "+1", "-1"}),
                   "-",
@@ -84,7 +109,13 @@ bool InputOptions::IsValid(std::string* error) const {
     *error = "input." + reason;
     return false;
   }
-  if (LowerCase(layout) != "aeva" && !ParseRawLayout(layout, &reason)) {
+  if (axes != "auto" && !ParseAxes(axes)) {
+    *error =
+        "input.axes must be a signed permutation like +x+y+z or +z-x-y, flu, rdf or auto, is " +
+        Quoted(axes);
+    return false;
+  }
+  if (!layout.empty() && LowerCase(layout) != "aeva" && !ParseRawLayout(layout, &reason)) {
     *error = "input." + reason;
     return false;
   }

@@ -74,6 +74,9 @@ SourceFacts PointFolderSource::Facts() const {
   facts.stamp_origin = folder_.stamp_origin;
   facts.fields = converter_.Summaries();
   facts.stamps_ns = folder_.stamps_ns;
+  if (folder_.stamps_are_positions || folder_.names.size() == 1) {
+    facts.why_no_drive = WhyNotConsecutive(folder_.names);
+  }
   return facts;
 }
 

@@ -91,9 +91,17 @@ bool AevaFileReader::Read(std::string_view bytes,
 std::unique_ptr<ScanSource> OpenRawSource(const std::filesystem::path& path,
                                           const InputOptions& options,
                                           std::string* error) {
+  if (options.layout.empty()) {
+    *error = path.string() +
+             ": raw files do not tell their columns; set input.layout, see --help_config";
+    return nullptr;
+  }
   ScanFolderQuery query;
   query.candidates = {".", "radar", "velodyne", "training/velodyne", "radar/training/velodyne"};
-  if (!options.folder.empty()) query.candidates = {options.folder};
+  if (!options.folder.empty()) {
+    query.candidates = {options.folder};
+    query.name_below = options.folder;
+  }
   query.rate = options.rate;
   std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
   if (!folder) return nullptr;

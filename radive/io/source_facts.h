@@ -23,10 +23,11 @@ struct FieldSummary {
 
 // What a source found, for reports. Whatever it does not know stays empty.
 struct SourceFacts {
-  std::string format;                   // "PCD", "rosbag1"
-  std::string place;                    // folder, or bag and topic
-  std::string stamp_origin;             // "times.txt", "header stamps"
-  std::string axes;                     // "+x+y+z, because ..."
+  std::string format;        // "PCD", "rosbag1"
+  std::string place;         // folder, or bag and topic
+  std::string stamp_origin;  // "times.txt", "header stamps"
+  std::string axes;          // "+x+y+z, because ..."
+  std::string why_no_drive;  // why these scans are no drive to run over; empty: they may be one
   std::vector<FieldSummary> fields;     // of the scans read so far, the first few
   std::vector<std::int64_t> stamps_ns;  // of the whole drive, where known without reading it [ns]
 };

@@ -23,6 +23,8 @@ using testing::TempFolder;
 
 class RawSourceTest : public ::testing::Test {
  protected:
+  RawSourceTest() { options_.layout = "xyz3"; }
+
   // The source of the folder, which must open.
   std::unique_ptr<ScanSource> Open() {
     auto source = OpenRawSource(folder_.path(), options_, &error_);
