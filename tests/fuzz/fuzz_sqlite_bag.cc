@@ -3,20 +3,21 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "radive/io/bag/sqlite_bag_reader.h"
+#include "radive/io/bag/unpacking_message_source.h"
 #include "tests/fuzz/read_bag.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  radive::SqliteBagReader::Form form;
-  form.shown_name = "bag";
-  // The size of SQLite's pages is in the file; whether payloads are packed is not.
-  form.zstd_messages = size % 2 == 1;
-  radive::ReadBag([&](std::string* error) {
-    return radive::SqliteBagReader::OpenBytes(bytes, form, radive::FuzzLimits(), error);
+  radive::ReadBag([&](std::string* error) -> std::unique_ptr<radive::MessageSource> {
+    auto bag = radive::SqliteBagReader::OpenBytes(bytes, "bag", radive::FuzzLimits(), error);
+    if (bag == nullptr) return nullptr;
+    return std::make_unique<radive::UnpackingMessageSource>(std::move(bag), radive::FuzzLimits());
   });
   return 0;
 }

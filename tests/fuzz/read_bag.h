@@ -51,10 +51,9 @@ inline void ReadScans(std::unique_ptr<MessageSource> bag) {
 template <typename Open>
 void ReadBag(const Open& open) {
   std::string error;
-  if (std::unique_ptr<MessageSource> bag = open(&error)) {
-    ReadMessages(bag.get());
-    ReadScans(open(&error));
-  }
+  if (std::unique_ptr<MessageSource> bag = open(&error)) ReadMessages(bag.get());
+  // SQLite may judge a damaged file differently the second time.
+  if (std::unique_ptr<MessageSource> bag = open(&error)) ReadScans(std::move(bag));
 }
 
 }  // namespace radive

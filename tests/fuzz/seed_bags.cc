@@ -88,9 +88,7 @@ void WriteSeeds(const fs::path& folder) {
     const fs::path bag = folder / (packed ? "bag_packed" : "bag");
     WriteScans(SqliteBagWriter::Create(bag, {packed}, &error), "cdr");
     const std::string name = bag.filename().string();
-    // An odd size says that the payloads are packed.
-    WriteText(folder / "fuzz_sqlite_bag" / name,
-              Content(bag / (name + "_0.db3")) + (packed ? " " : ""));
+    WriteText(folder / "fuzz_sqlite_bag" / name, Content(bag / (name + "_0.db3")));
     WriteText(folder / "fuzz_rosbag2_metadata" / name, Content(bag / "metadata.yaml"));
     fs::remove_all(bag);
   }

@@ -117,7 +117,7 @@ bool ChunkedBagReader::HeaderOf(std::size_t chunk, ChunkHeader* header) {
 // Chunks whose messages are shuffled finely are unpacked again and again, for as long as somebody
 // who made the file on purpose likes. Real ones are unpacked once or twice.
 bool ChunkedBagReader::SpendUnpacking(std::uint64_t size) {
-  constexpr std::uint64_t kFree = std::uint64_t{4} << 30;
+  constexpr std::uint64_t kFree = std::uint64_t{512} << 20;
   constexpr std::uint64_t kBytesPerByte = 2000;
   unpacked_bytes_ += size;
   return unpacked_bytes_ <= kFree || unpacked_bytes_ / kBytesPerByte <= file_->size();

@@ -145,9 +145,13 @@ bool DecompressZstd(std::string_view packed,
 }
 
 std::string CompressLz4(std::string_view bytes) {
-  std::string packed(LZ4F_compressFrameBound(bytes.size(), nullptr), '\0');
+  // The reader of ROS 1 knows no other frames.
+  LZ4F_preferences_t preferences = LZ4F_INIT_PREFERENCES;
+  preferences.frameInfo.blockMode = LZ4F_blockIndependent;
+  preferences.frameInfo.contentChecksumFlag = LZ4F_contentChecksumEnabled;
+  std::string packed(LZ4F_compressFrameBound(bytes.size(), &preferences), '\0');
   const std::size_t size =
-      LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), nullptr);
+      LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), &preferences);
   CHECK_EQ(LZ4F_isError(size), 0u);
   packed.resize(size);
   return packed;
@@ -197,14 +201,17 @@ bool Decompress(Compression compression,
                 std::uint64_t size,
                 std::string* unpacked,
                 std::string* error) {
+  if (compression == Compression::kNone) {
+    const std::uint64_t kept = std::min<std::uint64_t>(size, packed.size());
+    unpacked->assign(packed.substr(0, static_cast<std::size_t>(kept)));
+    if (packed.size() == size) return true;
+    *error = "has " + std::to_string(packed.size()) + " bytes instead of " + std::to_string(size);
+    return false;
+  }
   Output output(size, packed.size(), unpacked);
   switch (compression) {
     case Compression::kNone:
-      unpacked->assign(
-          packed.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(size, packed.size()))));
-      if (packed.size() == size) return true;
-      *error = "has " + std::to_string(packed.size()) + " bytes instead of " + std::to_string(size);
-      return false;
+      break;
     case Compression::kBz2:
       return DecompressBz2(packed, &output, error);
     case Compression::kLz4:

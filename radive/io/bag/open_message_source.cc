@@ -15,6 +15,7 @@
 #include "radive/io/bag/ros1_bag_reader.h"
 #include "radive/io/bag/rosbag2_folder.h"
 #include "radive/io/bag/sqlite_bag_reader.h"
+#include "radive/io/bag/unpacking_message_source.h"
 #include "radive/io/record_file.h"
 #include "radive/util/natural_order.h"
 
@@ -33,9 +34,15 @@ std::unique_ptr<MessageSource> OpenBagFile(const fs::path& path,
   const auto starts_with = [&](std::string_view magic) {
     return start && start->substr(0, magic.size()) == magic;
   };
-  if (starts_with("\x89MCAP")) return McapReader::Open(std::move(file), limits, error);
+  const auto unpacked = [&](std::unique_ptr<MessageSource> source) {
+    if (source == nullptr) return source;
+    return std::unique_ptr<MessageSource>(new UnpackingMessageSource(std::move(source), limits));
+  };
   if (starts_with("#ROSBAG")) return Ros1BagReader::Open(std::move(file), limits, error);
-  if (starts_with("SQLite format 3")) return SqliteBagReader::Open(path, {}, limits, error);
+  if (starts_with("\x89MCAP")) return unpacked(McapReader::Open(std::move(file), limits, error));
+  if (starts_with("SQLite format 3")) {
+    return unpacked(SqliteBagReader::Open(path, path.string(), limits, error));
+  }
   *error = path.string() + ": neither a ROS 1 bag nor the SQLite or MCAP file of a rosbag 2" +
            (file->size() == 0 ? "; it is empty" : "");
   return nullptr;

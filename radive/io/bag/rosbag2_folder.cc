@@ -13,6 +13,7 @@
 #include "radive/io/bag/random_access_file.h"
 #include "radive/io/bag/sqlite_bag_reader.h"
 #include "radive/io/bag/unpacked_file.h"
+#include "radive/io/bag/unpacking_message_source.h"
 #include "radive/io/record_file.h"
 #include "radive/io/text_lines.h"
 
@@ -25,18 +26,15 @@ std::string TextOr(const YAML::Node& node, const std::string& otherwise) {
   return node.IsDefined() && node.IsScalar() ? node.Scalar() : otherwise;
 }
 
-bool ParsePacking(const YAML::Node& information, Rosbag2Metadata* metadata, std::string* error) {
+// Packed files and messages are known by what they are; here only what cannot be unpacked is told.
+bool CheckCompression(const YAML::Node& information, std::string* error) {
   const std::string mode = LowerCase(TextOr(information["compression_mode"], ""));
   const std::string format = LowerCase(TextOr(information["compression_format"], ""));
   if (mode.empty() || mode == "none" || format.empty()) return true;
-  if (format != "zstd" || (mode != "file" && mode != "message")) {
-    *error = "compression " + Quoted(format) + " of " + Quoted(mode) +
-             ", expected zstd of file or message";
-    return false;
-  }
-  metadata->packing =
-      mode == "file" ? Rosbag2Metadata::Packing::kFiles : Rosbag2Metadata::Packing::kMessages;
-  return true;
+  if (format == "zstd" && (mode == "file" || mode == "message")) return true;
+  *error = "compression " + Quoted(format) + " of " + Quoted(mode) +
+           ", expected zstd of file or message";
+  return false;
 }
 
 bool ParseInformation(const YAML::Node& root, Rosbag2Metadata* metadata, std::string* error) {
@@ -59,7 +57,7 @@ bool ParseInformation(const YAML::Node& root, Rosbag2Metadata* metadata, std::st
     *error = "no relative_file_paths, expected the names of the bag's files";
     return false;
   }
-  return ParsePacking(information, metadata, error);
+  return CheckCompression(information, error);
 }
 
 // The file that metadata.yaml calls `name`. Early releases wrote the name of the folder in front,
@@ -90,14 +88,15 @@ std::unique_ptr<MessageSource> OpenFile(const fs::path& path,
     if (unpacked == nullptr) return nullptr;
   }
   const fs::path& plain = unpacked == nullptr ? path : unpacked->path();
+  std::unique_ptr<MessageSource> source;
   if (metadata.is_mcap) {
     std::unique_ptr<RandomAccessFile> file = OpenRandomAccessFile(plain, error, path.string());
-    return file == nullptr ? nullptr : McapReader::Open(std::move(file), limits, error);
+    if (file != nullptr) source = McapReader::Open(std::move(file), limits, error);
+  } else {
+    source = SqliteBagReader::Open(plain, path.string(), limits, error);
   }
-  SqliteBagReader::Form form;
-  form.shown_name = path.string();
-  form.zstd_messages = metadata.packing == Rosbag2Metadata::Packing::kMessages;
-  return SqliteBagReader::Open(plain, form, limits, error);
+  if (source == nullptr) return nullptr;
+  return std::make_unique<UnpackingMessageSource>(std::move(source), limits);
 }
 
 }  // namespace

@@ -14,10 +14,7 @@ namespace radive {
 
 // What the metadata.yaml of a rosbag 2 folder says.
 struct Rosbag2Metadata {
-  enum class Packing { kNone, kFiles, kMessages };  // compression_mode
-
-  bool is_mcap = false;  // storage_identifier; false: sqlite3
-  Packing packing = Packing::kNone;
+  bool is_mcap = false;            // storage_identifier; false: sqlite3
   std::vector<std::string> files;  // relative_file_paths, in their order
 };
 

@@ -5,7 +5,6 @@
 
 #include <glog/logging.h>
 #include <sqlite3.h>
-#include <zstd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +12,6 @@
 #include <system_error>
 #include <utility>
 
-#include "radive/io/bag/compression.h"
 #include "radive/io/record_file.h"
 #include "radive/io/text_lines.h"
 
@@ -65,18 +63,17 @@ void SqliteBagReader::Close::operator()(sqlite3_stmt* statement) const {
 }
 void SqliteBagReader::Close::operator()(sqlite3_blob* blob) const { sqlite3_blob_close(blob); }
 
-SqliteBagReader::SqliteBagReader(Database database, Form form, const MessageLimits& limits)
-    : database_(std::move(database)), form_(std::move(form)), limits_(limits) {}
+SqliteBagReader::SqliteBagReader(Database database, std::string name, const MessageLimits& limits)
+    : database_(std::move(database)), name_(std::move(name)), limits_(limits) {}
 
 std::unique_ptr<SqliteBagReader> SqliteBagReader::Open(const std::filesystem::path& path,
-                                                       const Form& form,
+                                                       const std::string& shown_name,
                                                        const MessageLimits& limits,
                                                        std::string* error) {
-  Form named = form;
-  if (named.shown_name.empty()) named.shown_name = path.string();
+  const std::string name = shown_name.empty() ? path.string() : shown_name;
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure)) {
-    *error = named.shown_name + ": " + (failure ? failure.message() : "no regular file");
+    *error = name + ": " + (failure ? failure.message() : "no regular file");
     return nullptr;
   }
   if (IsLfsPointer(path, error)) return nullptr;
@@ -87,15 +84,15 @@ std::unique_ptr<SqliteBagReader> SqliteBagReader::Open(const std::filesystem::pa
                                      nullptr);
   Database database(raw);
   if (status != SQLITE_OK) {
-    *error = named.shown_name + ": cannot be opened: " + sqlite3_errstr(status);
+    *error = name + ": cannot be opened: " + sqlite3_errstr(status);
     return nullptr;
   }
   const std::uint64_t file_size = std::filesystem::file_size(path, failure);
-  return Create(std::move(database), named, failure ? 0 : file_size, limits, error);
+  return Create(std::move(database), name, failure ? 0 : file_size, limits, error);
 }
 
 std::unique_ptr<SqliteBagReader> SqliteBagReader::OpenBytes(std::string_view bytes,
-                                                            const Form& form,
+                                                            const std::string& shown_name,
                                                             const MessageLimits& limits,
                                                             std::string* error) {
   sqlite3* raw = nullptr;
@@ -106,25 +103,26 @@ std::unique_ptr<SqliteBagReader> SqliteBagReader::OpenBytes(std::string_view byt
   auto* const data = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));
   if (sqlite3_deserialize(raw, "main", data, size, size, SQLITE_DESERIALIZE_READONLY) !=
       SQLITE_OK) {
-    *error = form.shown_name + ": no SQLite file";
+    *error = shown_name + ": no SQLite file";
     return nullptr;
   }
-  return Create(std::move(database), form, bytes.size(), limits, error);
+  return Create(std::move(database), shown_name, bytes.size(), limits, error);
 }
 
 std::unique_ptr<SqliteBagReader> SqliteBagReader::Create(Database database,
-                                                         const Form& form,
+                                                         const std::string& shown_name,
                                                          std::uint64_t file_size,
                                                          const MessageLimits& limits,
                                                          std::string* error) {
   Harden(database.get(), limits);
-  std::unique_ptr<SqliteBagReader> reader(new SqliteBagReader(std::move(database), form, limits));
+  std::unique_ptr<SqliteBagReader> reader(
+      new SqliteBagReader(std::move(database), shown_name, limits));
   reader->LimitSteps(file_size);
   if (reader->IsPlainTable("topics") && reader->IsPlainTable("messages") && reader->ReadTopics() &&
       reader->CountMessages()) {
     return reader;
   }
-  *error = form.shown_name + ": " + reader->error_;
+  *error = shown_name + ": " + reader->error_;
   return nullptr;
 }
 
@@ -195,7 +193,7 @@ bool SqliteBagReader::CountMessages() {
   }
   if (status == SQLITE_DONE) return true;
   // What the index of the messages still finds can be read all the same.
-  warnings_.Add("damaged files", form_.shown_name + ": is damaged or cut: " + Reason());
+  warnings_.Add("damaged files", name_ + ": is damaged or cut: " + Reason());
   for (MessageTopic& topic : topics_) topic.num_messages.reset();
   start_ns_ = std::numeric_limits<std::int64_t>::min();
   return true;
@@ -230,8 +228,8 @@ std::string SqliteBagReader::ReadPayload(std::int64_t row, bool* is_too_large) {
       return "larger than " + std::to_string(limits_.message) +
              " bytes, see input.max_message_bytes";
     }
-    stored_.resize(size);
-    status = sqlite3_blob_read(raw, stored_.data(), static_cast<int>(size), 0);
+    payload_.resize(size);
+    status = sqlite3_blob_read(raw, payload_.data(), static_cast<int>(size), 0);
   }
   if (status == SQLITE_OK) return "";
   blob_.reset();  // it cannot be moved to another row any more
@@ -240,13 +238,13 @@ std::string SqliteBagReader::ReadPayload(std::int64_t row, bool* is_too_large) {
 
 MessageSource::Status SqliteBagReader::Next(Message* message) {
   if (messages_ == nullptr) {
-    error_ = form_.shown_name + ": " + error_;
+    error_ = name_ + ": " + error_;
     return Status::kError;
   }
   int status = SQLITE_OK;
   while ((status = sqlite3_step(messages_.get())) == SQLITE_ROW) {
     const std::int64_t row = sqlite3_column_int64(messages_.get(), 0);
-    const std::string where = form_.shown_name + ": message " + std::to_string(row) + " ";
+    const std::string where = name_ + ": message " + std::to_string(row) + " ";
     message->topic = topic_of_id_[sqlite3_column_int64(messages_.get(), 1)];
     message->record_ns = sqlite3_column_int64(messages_.get(), 2);
     bool is_too_large = false;
@@ -255,25 +253,15 @@ MessageSource::Status SqliteBagReader::Next(Message* message) {
         error_ = where + "is " + reason;
         return Status::kError;
       }
-      warnings_.Add("damaged messages in " + form_.shown_name,
-                    where + "is " + reason + "; it is passed over");
+      warnings_.Add("damaged messages in " + name_, where + "is " + reason + "; it is passed over");
       continue;
     }
-    message->payload = stored_;
-    if (!form_.zstd_messages) return Status::kMessage;
-    const auto size = ZSTD_getFrameContentSize(stored_.data(), stored_.size());
-    std::string reason = "its zstd frame says no size, or one above input.max_message_bytes";
-    if (size <= limits_.message &&
-        Decompress(Compression::kZstd, stored_, size, &payload_, &reason)) {
-      message->payload = payload_;
-      return Status::kMessage;
-    }
-    warnings_.Add("damaged messages in " + form_.shown_name,
-                  where + "cannot be unpacked: " + reason + "; it is passed over");
+    message->payload = payload_;
+    return Status::kMessage;
   }
   if (status != SQLITE_DONE) {
     warnings_.Add("damaged files",
-                  form_.shown_name + ": is damaged or cut: " + Reason() + "; read up to there");
+                  name_ + ": is damaged or cut: " + Reason() + "; read up to there");
   }
   warnings_.Finish();
   messages_ = Prepare("SELECT 1 WHERE 0");  // a further Next() gives the end again

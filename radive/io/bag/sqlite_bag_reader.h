@@ -23,27 +23,23 @@ namespace radive {
 // reading only, and never changed.
 class SqliteBagReader : public MessageSource {
  public:
-  struct Form {
-    std::string shown_name;      // in messages instead of the path; empty: the path
-    bool zstd_messages = false;  // each payload is a zstd frame (compression_mode MESSAGE)
-  };
-
+  // `shown_name` stands in messages instead of the path where it is given.
   // Null, with the file and the reason in `error`, when `path` is no such file.
   static std::unique_ptr<SqliteBagReader> Open(const std::filesystem::path& path,
-                                               const Form& form,
+                                               const std::string& shown_name,
                                                const MessageLimits& limits,
                                                std::string* error);
 
   // The same from the bytes of the file, which must outlive the object.
   static std::unique_ptr<SqliteBagReader> OpenBytes(std::string_view bytes,
-                                                    const Form& form,
+                                                    const std::string& shown_name,
                                                     const MessageLimits& limits,
                                                     std::string* error);
 
   void Select(const std::vector<int>& topics) override;
   Status Next(Message* message) override;
   std::int64_t start_ns() const override { return start_ns_; }
-  std::string Description() const override { return "rosbag 2 file " + form_.shown_name; }
+  std::string Description() const override { return "rosbag 2 file " + name_; }
 
  private:
   struct Close {
@@ -55,10 +51,10 @@ class SqliteBagReader : public MessageSource {
   using Statement = std::unique_ptr<sqlite3_stmt, Close>;
   using Blob = std::unique_ptr<sqlite3_blob, Close>;
 
-  SqliteBagReader(Database database, Form form, const MessageLimits& limits);
+  SqliteBagReader(Database database, std::string name, const MessageLimits& limits);
 
   static std::unique_ptr<SqliteBagReader> Create(Database database,
-                                                 const Form& form,
+                                                 const std::string& shown_name,
                                                  std::uint64_t file_size,
                                                  const MessageLimits& limits,
                                                  std::string* error);
@@ -73,13 +69,12 @@ class SqliteBagReader : public MessageSource {
   std::int64_t num_steps_left_ = 0;  // of SQLite, in units of LimitSteps()
   // In this order, so that the database is closed last.
   const Database database_;
-  const Form form_;
+  const std::string name_;  // for messages
   const MessageLimits limits_;
   Statement messages_;
   Blob blob_;
   std::unordered_map<std::int64_t, int> topic_of_id_;
-  std::string stored_;   // payload as it is in the file
-  std::string payload_;  // payload that was packed
+  std::string payload_;
   std::int64_t start_ns_ = 0;
 };
 

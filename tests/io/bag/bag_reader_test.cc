@@ -361,12 +361,10 @@ TEST(Rosbag2Metadata, SaysWhatItDoesNotKnow) {
   EXPECT_TRUE(ParseRosbag2Metadata(start + "mcap" + files, &metadata, &error)) << error;
   EXPECT_TRUE(metadata.is_mcap);
   EXPECT_THAT(metadata.files, ElementsAre("a", "b"));
-  EXPECT_EQ(metadata.packing, Rosbag2Metadata::Packing::kNone);
   EXPECT_TRUE(ParseRosbag2Metadata(
       start + "sqlite3" + files + "  compression_format: zstd\n  compression_mode: MESSAGE\n",
       &metadata,
       &error));
-  EXPECT_EQ(metadata.packing, Rosbag2Metadata::Packing::kMessages);
   EXPECT_FALSE(ParseRosbag2Metadata(start + "rocksdb" + files, &metadata, &error));
   EXPECT_THAT(error, HasSubstr("'rocksdb', expected sqlite3 or mcap"));
   EXPECT_FALSE(ParseRosbag2Metadata(

@@ -124,5 +124,24 @@ TEST(PackedBag, IsUnpackedBehindTheScenes) {
   }
 }
 
+// compression_mode MESSAGE in an MCAP file, and without the metadata.yaml that says so.
+TEST(PackedBag, PayloadsAreKnownToBePackedByThemselves) {
+  const ScratchFolder folder;
+  const BagForm form = {"bag.mcap", BagFormat::kMcap};
+  const std::vector<RadarScan> scans = testing::MadeScans(6);
+  const auto writer = testing::OpenWriter(folder.path() / form.name, form);
+  const int topic = writer->AddTopic(testing::CloudTopic(form));
+  std::string error;
+  for (const RadarScan& scan : scans) {
+    const std::string payload = EncodePointCloud2(scan, "cdr", "radar");
+    ASSERT_TRUE(writer->Write(topic, scan.stamp_ns, Compress(Compression::kZstd, payload), &error));
+  }
+  ASSERT_TRUE(writer->Close(&error));
+  const auto source =
+      BagSource::Open(folder.path() / form.name, form.format, InputOptions(), &error);
+  ASSERT_NE(source, nullptr) << error;
+  testing::ExpectSameScans(testing::ReadAll(source.get()), scans);
+}
+
 }  // namespace
 }  // namespace radive
