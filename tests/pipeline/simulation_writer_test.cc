@@ -57,7 +57,8 @@ TEST_F(SimulationWriterTest, FilesHoldWhatTheSimulatorSays) {
     EXPECT_EQ(done, ++last_done);
     EXPECT_EQ(all, 12);
   };
-  ASSERT_TRUE(WriteSimulation("street_sparse", options_, "raw", folder_, progress, &error_)) << error_;
+  ASSERT_TRUE(WriteSimulation("street_sparse", options_, "raw", folder_, progress, &error_))
+      << error_;
   EXPECT_EQ(last_done, 12);
 
   std::istringstream times(Bytes(folder_ / "times.txt"));
