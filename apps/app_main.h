@@ -21,7 +21,8 @@
 //
 // --help prints the usage and the flags defined in the program's own file (gflags would print
 // those of glog too) and exits with 0; so does --version. A flag that does not exist, a value of
-// the wrong type and a stray argument end the program with an error message and 1.
+// the wrong type and an argument beyond `max_arguments` end the program with an error message
+// and 1.
 
 namespace radive {
 namespace app_internal {
@@ -72,6 +73,7 @@ inline bool IsFlagSet(const char* name) {
 inline void InitApp(int* argc,
                     char*** argv,
                     const std::string& usage,
+                    int max_arguments = 0,
                     const char* app_file = __builtin_FILE()) {
   FLAGS_logtostderr = true;
   google::InitGoogleLogging((*argv)[0]);
@@ -90,11 +92,11 @@ inline void InitApp(int* argc,
     std::printf("%s %s\n", program.c_str(), RADIVE_VERSION);
     std::exit(EXIT_SUCCESS);
   }
-  if (*argc > 1) {
+  if (*argc > 1 + max_arguments) {
     std::fprintf(stderr,
-                 "%s: unexpected argument '%s' (every input is a --flag; see --help)\n",
+                 "%s: unexpected argument '%s' (inputs are --flags; see --help)\n",
                  program.c_str(),
-                 (*argv)[1]);
+                 (*argv)[1 + max_arguments]);
     std::exit(EXIT_FAILURE);
   }
 }

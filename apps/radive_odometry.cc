@@ -12,6 +12,7 @@
 #include "radive/config/describe_config.h"
 #include "radive/config/load_config.h"
 #include "radive/io/open_scan_source.h"
+#include "radive/pipeline/input_report.h"
 #include "radive/pipeline/run_sequence.h"
 
 DEFINE_string(input, "", "Dataset folder or scan folder. Required.");
@@ -86,6 +87,12 @@ int main(int argc, char** argv) {
   config->odometry.num_threads = FLAGS_threads;
   const auto source = radive::OpenScanSource(FLAGS_input, config->input, &error);
   if (source == nullptr) return Fail(error);
+  if (!FLAGS_quiet) {
+    const auto report =
+        radive::InspectInput(FLAGS_input, config->input, config->odometry.sensor, &error);
+    if (!report) return Fail(error);
+    std::fputs(report->ToText().c_str(), stderr);
+  }
 
   std::signal(SIGINT, HandleSignal);
   std::signal(SIGTERM, HandleSignal);

@@ -15,6 +15,12 @@
 DEFINE_string(scenario, "street_dense", "street_dense | street_sparse | street_planar.");
 DEFINE_int32(seed, 1, "Seed of the street, the traffic, the drive and all noise.");
 DEFINE_int32(frames, 0, "Number of scans; 0: about one lap of the street.");
+DEFINE_string(format,
+              "raw",
+              "Form of the scans: raw (float32 x y z doppler power) | pcd_ascii | pcd_binary | "
+              "pcd_compressed | ply_ascii | ply_binary | ply_big_endian | csv | hercules | snail | "
+              "vod | rosbag1 | rosbag1_bz2 | rosbag1_lz4 | rosbag1_unindexed | rosbag2 | "
+              "rosbag2_zstd | mcap | mcap_lz4 | mcap_zstd | mcap_unindexed.");
 DEFINE_string(output, "", "Folder for the scans and their truth; new or empty. Required.");
 
 namespace {
@@ -31,7 +37,7 @@ int main(int argc, char** argv) {
                   &argv,
                   "Simulates a radar on a drive through a street, with exact poses and labels.\n"
                   "  radive_simulate --scenario=street_dense --seed=1 --output=FOLDER\n\n"
-                  "Writes radar/NNNNNN.bin (float32 x y z doppler power), times.txt, gt_tum.txt,\n"
+                  "Writes radar/NNNNNN.bin (or the files of --format), times.txt, gt_tum.txt,\n"
                   "labels/NNNNNN.bin and scenario.json.");
   if (FLAGS_output.empty()) return Fail("--output is required: the folder for the scans");
   std::optional<radive::SimulationOptions> options = radive::ScenarioOptions(FLAGS_scenario);
@@ -49,7 +55,8 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "\r%d / %d scans%s", done, all, done == all ? "\n" : "");
   };
   std::string error;
-  if (!radive::WriteSimulation(FLAGS_scenario, *options, FLAGS_output, progress, &error)) {
+  if (!radive::WriteSimulation(
+          FLAGS_scenario, *options, FLAGS_format, FLAGS_output, progress, &error)) {
     return Fail(error);
   }
   std::printf("%d scans in %s\n", options->frames, FLAGS_output.c_str());

@@ -3,28 +3,63 @@
 
 #include "radive/io/input_options.h"
 
+#include "radive/io/axes.h"
+#include "radive/io/field_matching.h"
 #include "radive/io/raw_layout.h"
 #include "radive/io/scan_stamps.h"
+#include "radive/io/text_lines.h"
 
 namespace radive {
+
+namespace {
+
+std::string KnownLayouts() {
+  std::string names;
+  for (const std::string& name : RawLayoutNames()) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+}  // namespace
 
 std::vector<OptionField> InputOptions::Fields() {
   return {
       OptionField{"format",
-                  MakeChoice(&format, {"raw", "hercules", "radarscenes"}),
+                  MakeChoice(&format,
+                             {"auto",
+                              "raw",
+                              "hercules",
+                              "radarscenes",
+                              "pcd",
+                              "ply",
+                              "csv",
+                              "npy",
+                              "yaml",
+                              "raflow",
+                              "rosbag1",
+                              "rosbag2",
+                              "mcap"}),
                   "-",
-                  "Kind of scan files: raw float32 records, HeRCULES Continental, or RadarScenes."},
+                  "Form of the data; auto finds it out and says why."},
       OptionField{
           "layout",
           &layout,
           "-",
-          "Columns of raw records: xyz3, vod7, xyzdp5, tj4d8, or a list of x, y, z, doppler, "
-          "power and _ (ignored), such as [x,y,z,doppler,power,_,_]."},
-      OptionField{"folder",
-                  &folder,
+          "Columns of raw records and npy arrays; empty: found out where the dataset is known: " +
+              KnownLayouts() +
+              ", aeva (aeva29 or aeva25), or a list of x, y, z, doppler, power and _ (ignored), "
+              "such as [x,y,z,doppler,power,_,_]; float32, or with the type: rcs:int8."},
+      OptionField{"fields",
+                  &fields,
                   "-",
-                  "Folder with the scan files, relative to the input; empty: the usual places are "
-                  "searched."},
+                  "Fields of the points that have other names than usual, or another choice among "
+                  "them: [doppler=vel_r, power=snr]; _ for none. Roles: x, y, z, range, azimuth, "
+                  "elevation, doppler, power, time."},
+      OptionField{
+          "folder",
+          &folder,
+          "-",
+          "Folder with the scan files, relative to the input or to a folder below it; empty: "
+          "the usual places are searched."},
       OptionField{"rate",
                   &rate,
                   "Hz",
@@ -35,21 +70,50 @@ std::vector<OptionField> InputOptions::Fields() {
                   &radar,
                   "-",
                   "Which radar of the vehicle, for data with several: its number from 1, or all."},
+      OptionField{"clip",
+                  &clip,
+                  "-",
+                  "Which clip, for data in clips of consecutive scans, from 1; 0: the longest."}
+          .AtLeast(0),
+      OptionField{
+          "axes",
+          &axes,
+          "-",
+          "Where x forward, y left and z up come from in the data: a signed permutation like "
+          "+x+y+z or +z-x-y, flu, rdf (right, down, forward), or auto."},
       OptionField{"doppler_sign",
                   MakeChoice(&doppler_sign, {"auto", "+1", "-1"}),
                   "-",
                   "Factor that makes the stored Doppler a range rate, positive when moving away."},
-      OptionField{"planar",
-                  &planar,
+      OptionField{
+          "planar", &planar, "-", "Data of a sensor that measures no elevation: z is set to 0."},
+      OptionField{"topic",
+                  &topic,
                   "-",
-                  "Raw records of a sensor that measures no elevation: z is set to 0."},
+                  "Topic of a bag with the point clouds; empty: the only one that has any."},
+      OptionField{"max_message_bytes",
+                  &max_message_bytes,
+                  "bytes",
+                  "Largest message that is read from a bag; the chunks of a bag may be a little "
+                  "larger."}
+          .AtLeast(1024),
   };
 }
 
 bool InputOptions::IsValid(std::string* error) const {
   if (!CheckOptions("input", *this, error)) return false;
   std::string reason;
-  if (!ParseRawLayout(layout, &reason)) {
+  if (!ParseFieldChoices(fields, &reason)) {
+    *error = "input." + reason;
+    return false;
+  }
+  if (axes != "auto" && !ParseAxes(axes)) {
+    *error =
+        "input.axes must be a signed permutation like +x+y+z or +z-x-y, flu, rdf or auto, is " +
+        Quoted(axes);
+    return false;
+  }
+  if (!layout.empty() && LowerCase(layout) != "aeva" && !ParseRawLayout(layout, &reason)) {
     *error = "input." + reason;
     return false;
   }

@@ -13,16 +13,27 @@ namespace radive {
 // How the files of a drive are to be read.
 struct InputOptions {
   enum class Format {
-    kRaw,         // a file of float32 records a scan
-    kHercules,    // HeRCULES, Continental ARS548: a file of 29-byte records a scan
-    kRadarScenes  // a table of scans and a file of points a radar
+    kAuto,         // found out, see detect_format.h
+    kRaw,          // a file of records a scan, columns by `layout`
+    kHercules,     // HeRCULES, Continental ARS548: a file of 29-byte records a scan
+    kRadarScenes,  // a table of scans and a file of points a radar
+    kPcd,          // self-describing files, one a scan
+    kPly,
+    kCsv,
+    kNpy,
+    kYaml,
+    kRaFlow,   // RaFlow's JSON files with pairs of scans
+    kRosbag1,  // ROS 1 bag, or a folder of them
+    kRosbag2,  // rosbag 2: folder with metadata.yaml, or its files
+    kMcap      // MCAP file, or a folder of them
   };
   enum class DopplerSign { kAuto, kPlus, kMinus };
 
-  Format format = Format::kRaw;
+  Format format = Format::kAuto;
 
-  // Columns of raw records, see ParseRawLayout() in raw_layout.h.
-  std::string layout = "xyz3";
+  // Columns of raw records and of npy arrays, see ParseRawLayout() in raw_layout.h; "aeva": of 29
+  // or 25 bytes, each file by its size. Empty: found out where the dataset is known.
+  std::string layout;
 
   // Folder with the scan files, relative to the input; empty: found in the usual places.
   std::string folder;
@@ -34,11 +45,28 @@ struct InputOptions {
   // RadarScenes that look ahead are 2 and 3.
   std::string radar = "2";
 
+  // Of data in clips of consecutive scans: its number from 1; 0: the longest.
+  int clip = 0;
+
+  // What stored x y z are in FLU: a signed permutation such as +x+y+z or -y+x+z, whose entries say
+  // where the canonical x, y and z come from; flu, rdf (right, down, forward), or auto, see axes.h.
+  std::string axes = "auto";
+
   // What stored Doppler values are multiplied with to become range rates (positive receding).
   DopplerSign doppler_sign = DopplerSign::kAuto;
 
-  // The raw records are of a sensor without elevation: z is set to 0.
+  // The data are of a sensor without elevation: z is set to 0.
   bool planar = false;
+
+  // Which field of the points has which role, where the names do not tell, see
+  // ParseFieldChoices() in field_matching.h.
+  std::string fields;
+
+  // Topic of a bag; empty: the only one with point clouds.
+  std::string topic;
+
+  // Largest message that is read from a bag [bytes].
+  int max_message_bytes = 256 << 20;
 
   // Sign that readers apply. Auto reads as stored: what decides it looks at the scans first.
   double FixedDopplerSign() const { return doppler_sign == DopplerSign::kMinus ? -1.0 : 1.0; }

@@ -5,27 +5,69 @@
 
 #include <glog/logging.h>
 
-#include "radive/io/hercules_source.h"
+#include <utility>
+
+#include "radive/io/axes.h"
+#include "radive/io/bag/bag_source.h"
+#include "radive/io/detect_format.h"
+#include "radive/io/point_file_source.h"
 #include "radive/io/radarscenes_source.h"
-#include "radive/io/raw_float_source.h"
+#include "radive/io/raflow_source.h"
+#include "radive/io/raw_source.h"
 
 namespace radive {
+namespace {
+
+// The drive as stored, apart from its axes.
+std::unique_ptr<ScanSource> OpenStored(const std::string& path,
+                                       const InputOptions& options,
+                                       std::string* error) {
+  using Format = InputOptions::Format;
+  switch (options.format) {
+    case Format::kRaw:
+      return OpenRawSource(path, options, error);
+    case Format::kHercules:
+      return OpenHerculesSource(path, options, error);
+    case Format::kRadarScenes:
+      return RadarScenesSource::Open(path, options, error);
+    case Format::kPcd:
+      return OpenPointFileSource(path, PointFileFormat::kPcd, options, error);
+    case Format::kPly:
+      return OpenPointFileSource(path, PointFileFormat::kPly, options, error);
+    case Format::kCsv:
+      return OpenPointFileSource(path, PointFileFormat::kCsv, options, error);
+    case Format::kNpy:
+      return OpenPointFileSource(path, PointFileFormat::kNpy, options, error);
+    case Format::kYaml:
+      return OpenPointFileSource(path, PointFileFormat::kYaml, options, error);
+    case Format::kRaFlow:
+      return RaFlowSource::Open(path, options, error);
+    case Format::kRosbag1:
+      return BagSource::Open(path, BagFormat::kRosbag1, options, error);
+    case Format::kRosbag2:
+      return BagSource::Open(path, BagFormat::kRosbag2, options, error);
+    case Format::kMcap:
+      return BagSource::Open(path, BagFormat::kMcap, options, error);
+    case Format::kAuto:
+      break;
+  }
+  LOG(FATAL) << "unknown input format";
+  return nullptr;
+}
+
+}  // namespace
 
 std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
                                            const InputOptions& options,
                                            std::string* error) {
   CHECK(error != nullptr);
   if (!options.IsValid(error)) return nullptr;
-  switch (options.format) {
-    case InputOptions::Format::kRaw:
-      return RawFloatSource::Open(path, options, error);
-    case InputOptions::Format::kHercules:
-      return HerculesSource::Open(path, options, error);
-    case InputOptions::Format::kRadarScenes:
-      return RadarScenesSource::Open(path, options, error);
-  }
-  LOG(FATAL) << "unknown input format";
-  return nullptr;
+  InputOptions found = options;
+  std::string reason;
+  if (!DetectFormat(path, &found, &reason, error)) return nullptr;
+  std::unique_ptr<ScanSource> source = OpenStored(path, found, error);
+  if (source == nullptr) return nullptr;
+  return std::make_unique<AxesSource>(std::move(source), options.axes);
 }
 
 }  // namespace radive

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <string_view>
 #include <system_error>
@@ -103,7 +102,10 @@ class RadarScenesSource::PointFile {
 
   // Rows of the file; warns when its size is no multiple of a row.
   std::uint64_t CountRows(std::vector<std::string>* warnings) const {
-    return CountRecords(path_, size_, kRowSize, "row of 5 float32", warnings);
+    std::vector<std::string> remarks;
+    const std::uint64_t count = CountRecords(size_, kRowSize, "row of 5 float32", &remarks);
+    for (const std::string& remark : remarks) warnings->push_back(path_.string() + ": " + remark);
+    return count;
   }
 
   // Reads the bytes of rows [first, first + count), which the file must have, into `rows`. False
@@ -127,7 +129,11 @@ class RadarScenesSource::PointFile {
   std::FILE* const file_;
 };
 
-RadarScenesSource::RadarScenesSource() = default;
+RadarScenesSource::RadarScenesSource(const InputOptions& options) : converter_(options) {
+  for (const char* name : {"range", "azimuth", "vr", "rcs", "label"}) {
+    rows_.AddField(name, NumericType::kFloat32);
+  }
+}
 RadarScenesSource::~RadarScenesSource() = default;
 
 std::unique_ptr<RadarScenesSource> RadarScenesSource::Open(const fs::path& path,
@@ -142,9 +148,8 @@ std::unique_ptr<RadarScenesSource> RadarScenesSource::Open(const fs::path& path,
   const fs::path folder = options.folder.empty() ? path : path / options.folder;
   if (!CheckIsFolder(folder, error)) return nullptr;
 
-  std::unique_ptr<RadarScenesSource> source(new RadarScenesSource());
+  std::unique_ptr<RadarScenesSource> source(new RadarScenesSource(options));
   source->radar_ = static_cast<int>(*radar);
-  source->doppler_sign_ = options.FixedDopplerSign();
   const std::string name = "radar" + std::to_string(source->radar_);
   source->table_path_ = folder / (name + "_scans.csv");
   std::error_code ignored;
@@ -220,20 +225,17 @@ ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
   scan->place = table_path_.string() + ":" + std::to_string(entry.line);
 
   if (entry.num_points == 0) return Status::kScan;
-  if (!points_->Read(entry.first_point, entry.num_points, &rows_)) {
+  if (!points_->Read(entry.first_point, entry.num_points, &rows_.owned)) {
     warnings_.push_back(scan->place + ": the rows of " + points_->path().string() +
                         " can no longer be read; taken as an empty scan");
     return Status::kScan;
   }
-  scan->returns.reserve(static_cast<std::size_t>(entry.num_points));
-  for (std::uint64_t i = 0; i < entry.num_points; ++i) {
-    const char* const row = rows_.data() + i * kRowSize;
-    const double range = static_cast<double>(ReadFloat32(row));
-    const double azimuth = static_cast<double>(ReadFloat32(row + 4));
-    RadarReturn& added = scan->returns.emplace_back();
-    added.position = {range * std::cos(azimuth), range * std::sin(azimuth), 0.0};
-    added.doppler = doppler_sign_ * static_cast<double>(ReadFloat32(row + 8));
-    added.power = static_cast<double>(ReadFloat32(row + 12));
+  rows_.data = rows_.owned.data();
+  rows_.num_points = static_cast<std::size_t>(entry.num_points);
+  std::string reason;
+  if (!converter_.Convert(rows_, scan, &reason)) {
+    error_ = points_->path().string() + ": " + reason;
+    return Status::kError;
   }
   return Status::kScan;
 }
@@ -248,6 +250,16 @@ ScanSource::Status RadarScenesSource::Skip(int count) {
 std::string RadarScenesSource::Description() const {
   return "RadarScenes radar " + std::to_string(radar_) + ", " + std::to_string(entries_.size()) +
          " scans in " + table_path_.string();
+}
+
+SourceFacts RadarScenesSource::Facts() const {
+  SourceFacts facts;
+  facts.format = "RadarScenes radar " + std::to_string(radar_);
+  facts.place = table_path_.string();
+  facts.stamp_origin = "timestamp_rad";
+  facts.fields = converter_.Summaries();
+  for (const Entry& entry : entries_) facts.stamps_ns.push_back(entry.stamp_ns);
+  return facts;
 }
 
 std::optional<int> RadarScenesSource::NumScans() const { return static_cast<int>(entries_.size()); }

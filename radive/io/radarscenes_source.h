@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "radive/io/input_options.h"
+#include "radive/io/point_converter.h"
 #include "radive/io/scan_source.h"
 
 namespace radive {
@@ -40,6 +41,7 @@ class RadarScenesSource : public ScanSource {
   Status Skip(int count) override;
   std::string Description() const override;
   std::optional<int> NumScans() const override;
+  SourceFacts Facts() const override;
 
  private:
   struct Entry {
@@ -50,17 +52,17 @@ class RadarScenesSource : public ScanSource {
   };
   class PointFile;
 
-  RadarScenesSource();
+  explicit RadarScenesSource(const InputOptions& options);
   bool ReadTable(std::string* error);
   bool CheckRows(std::uint64_t num_rows, std::string* error) const;
 
   int radar_ = 0;
-  double doppler_sign_ = 1.0;
   std::filesystem::path table_path_;
   std::vector<Entry> entries_;
   std::unique_ptr<PointFile> points_;
   std::size_t next_ = 0;
-  std::vector<char> rows_;  // of one scan, kept for their memory
+  PointTable rows_;  // of one scan, kept for their memory
+  PointConverter converter_;
 };
 
 }  // namespace radive

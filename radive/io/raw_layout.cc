@@ -3,98 +3,121 @@
 
 #include "radive/io/raw_layout.h"
 
-#include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 
+#include "radive/io/field_matching.h"
 #include "radive/io/text_lines.h"
 
 namespace radive {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kNamedLayouts = {{
+constexpr std::pair<std::string_view, std::string_view> kNamedLayouts[] = {
     {"xyz3", "x,y,z"},
-    {"vod7", "x,y,z,rcs,v_r,_,_"},
     {"xyzdp5", "x,y,z,doppler,power"},
-    {"tj4d8", "x,y,z,v_r,_,power,_,_"},
-}};
+    {"vod7", "x,y,z,RCS,v_r,v_r_compensated,time"},
+    {"tj4d8", "x,y,z,v_r,range,power,alpha,beta"},
+    {"mscrad17",
+     "x,y,z,_,_,_,_,alpha,beta,range,doppler,power,recoveredSpeed,dotFlags,denoiseFlag,_,_"},
+    {"coloradar5", "x,y,z,intensity,doppler"},
+    {"dualradar5", "x,y,z,rcs,v_r"},
+    {"dicp4", "x,y,z,doppler"},
+    {"kitti4", "x,y,z,intensity"},
+    {"hercules29", "x,y,z,v,r,RCS:int8,azimuth,elevation"},
+    {"aeva29", "x,y,z,reflectivity,velocity,time_offset_ns:int32,line_index:uint8,intensity"},
+    {"aeva25", "x,y,z,reflectivity,velocity,time_offset_ns:int32,line_index:uint8"},
+    {"boreas_aeva40", "x,y,z,v,intensity,signal_quality,reflectivity,time,point_flags:uint64"},
+    {"boreas_aeva7", "x,y,z,intensity,doppler,laser_number,time"},
+};
 
-std::string LowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return lower;
+std::string NamesOfLayouts() {
+  std::string names;
+  for (const std::string& name : RawLayoutNames()) names += (names.empty() ? "" : ", ") + name;
+  return names;
 }
 
-bool IsOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+// "rcs:int8" -> the name and the type; none for an unknown type.
+std::optional<PointField> ParseColumn(std::string_view text) {
+  PointField field;
+  const std::size_t colon = text.find(':');
+  field.name = TrimBlanks(text.substr(0, colon));
+  if (colon == std::string_view::npos) return field;
+  const std::string type = LowerCase(TrimBlanks(text.substr(colon + 1)));
+  for (int i = 0; i <= static_cast<int>(NumericType::kFloat64); ++i) {
+    field.type = static_cast<NumericType>(i);
+    if (type == NameOf(field.type)) return field;
+  }
+  return std::nullopt;
 }
 
-// Where `layout` keeps the column called `name`; null for a name that means nothing. Only whole
-// names count: v_r_compensated or vx are no Doppler.
-int* FindColumn(std::string_view name, RawLayout* layout) {
-  if (name == "x") return &layout->x;
-  if (name == "y") return &layout->y;
-  if (name == "z") return &layout->z;
-  if (IsOneOf(name,
-              {"doppler",
-               "v_doppler_mps",
-               "velocity",
-               "radial_velocity",
-               "radial_speed",
-               "v_r",
-               "vr",
-               "range_rate",
-               "rangerate",
-               "v",
-               "vel",
-               "speed"})) {
-    return &layout->doppler;
+// Says why the user's column cannot be taken after those that are there; empty: it can.
+std::string Objection(const PointField& field, const std::vector<PointField>& before) {
+  const std::optional<FieldRole> role = RoleOfName(field.name);
+  if (!role) {
+    return "expected " + NamesOfLayouts() + ", or a list of the columns x, y, z, doppler, power " +
+           "and _ (to ignore one), found " + Quoted(field.name);
   }
-  if (IsOneOf(name, {"power", "snr_db", "snr", "intensity", "rcs", "reflectivity"})) {
-    return &layout->power;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (RoleOfName(before[i].name) == role) {
+      return "column " + Quoted(field.name) + " says the same as column " + Quoted(before[i].name) +
+             "; call one of them _ to ignore it";
+    }
   }
-  return nullptr;
+  return "";
 }
 
 }  // namespace
 
+const std::vector<std::string>& RawLayoutNames() {
+  static const std::vector<std::string>* const names = [] {
+    auto* const list = new std::vector<std::string>();
+    for (const auto& layout : kNamedLayouts) list->emplace_back(layout.first);
+    return list;
+  }();
+  return *names;
+}
+
 std::optional<RawLayout> ParseRawLayout(const std::string& text, std::string* error) {
   RawLayout layout;
   layout.name = text;
-  std::string columns = LowerCase(TrimBlanks(text));
+  std::string_view columns = TrimBlanks(text);
+  bool is_named = false;
+  const std::string lower_case = LowerCase(columns);
   for (const auto& [name, expansion] : kNamedLayouts) {
-    if (columns == name) columns = expansion;
+    if (lower_case != name) continue;
+    columns = expansion;
+    is_named = true;
   }
   if (columns.size() >= 2 && columns.front() == '[' && columns.back() == ']') {
     columns = columns.substr(1, columns.size() - 2);
   }
   const std::string where = "layout " + Quoted(text);
-  for (std::string_view rest = columns;; ++layout.num_columns) {
+  for (std::string_view rest = columns;;) {
     const std::size_t comma = rest.find(',');
-    const std::string_view name = TrimBlanks(rest.substr(0, comma));
-    if (name != "_") {
-      int* const column = FindColumn(name, &layout);
-      if (column == nullptr) {
-        *error = where +
-                 ": expected xyz3, vod7, xyzdp5, tj4d8, or a list of the columns x, y, z, " +
-                 "doppler, power and _ (to ignore one), found " + Quoted(name);
+    const std::string_view column = TrimBlanks(rest.substr(0, comma));
+    std::optional<PointField> field = ParseColumn(column);
+    if (!field) {
+      *error =
+          where + ": expected a type like int8 or float64 after the colon, found " + Quoted(column);
+      return std::nullopt;
+    }
+    field->offset = layout.record_size;
+    layout.record_size += SizeOf(field->type);
+    if (field->name != "_") {
+      const std::string objection = is_named ? "" : Objection(*field, layout.fields);
+      if (!objection.empty()) {
+        *error = where + ": " + objection;
         return std::nullopt;
       }
-      if (*column >= 0) {
-        *error = where + ": column " + Quoted(name) + " says the same as column " +
-                 std::to_string(*column + 1) + "; call one of them _ to ignore it";
-        return std::nullopt;
-      }
-      *column = layout.num_columns;
+      layout.fields.push_back(*std::move(field));
     }
     if (comma == std::string_view::npos) break;
     rest.remove_prefix(comma + 1);
   }
-  ++layout.num_columns;
-  if (layout.x < 0 || layout.y < 0) {
-    *error = where + ": must have the columns x and y";
+  std::string reason;
+  if (!MatchFields(layout.fields, {}, &reason)) {
+    *error = where + ": must have the columns x and y, or range and azimuth";
     return std::nullopt;
   }
   return layout;

@@ -71,15 +71,14 @@ bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std:
   return true;
 }
 
-std::uint64_t CountRecords(const std::filesystem::path& path,
-                           std::uint64_t file_size,
+std::uint64_t CountRecords(std::uint64_t file_size,
                            std::size_t record_size,
                            const std::string& record_name,
-                           std::vector<std::string>* warnings) {
+                           std::vector<std::string>* remarks) {
   if (const std::uint64_t tail = file_size % record_size; tail != 0) {
-    warnings->push_back(path.string() + ": the size of " + std::to_string(file_size) +
-                        " bytes is no multiple of " + std::to_string(record_size) + " (" +
-                        record_name + "); the last " + std::to_string(tail) + " are ignored");
+    remarks->push_back("the size of " + std::to_string(file_size) + " bytes is no multiple of " +
+                       std::to_string(record_size) + " (" + record_name + "); the last " +
+                       std::to_string(tail) + " are ignored");
   }
   return file_size / record_size;
 }

@@ -21,12 +21,11 @@ bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std:
 bool IsLfsPointer(const std::filesystem::path& path, std::string* error);
 
 // Number of whole records of `record_size` bytes in a file of `file_size` bytes. Bytes behind the
-// last one are ignored, with a line in `warnings` that calls the records `record_name`.
-std::uint64_t CountRecords(const std::filesystem::path& path,
-                           std::uint64_t file_size,
+// last one are ignored, with a line in `remarks` that calls the records `record_name`.
+std::uint64_t CountRecords(std::uint64_t file_size,
                            std::size_t record_size,
                            const std::string& record_name,
-                           std::vector<std::string>* warnings);
+                           std::vector<std::string>* remarks);
 
 // The little-endian float32 at `bytes`, which need not be aligned, whatever this machine's order.
 inline float ReadFloat32(const char* bytes) {

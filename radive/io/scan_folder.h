@@ -17,9 +17,12 @@ struct ScanFolderQuery {
   // them must.
   std::vector<std::string> candidates;
 
-  // When no candidate holds scans: the name of a folder to look for anywhere below the input, not
-  // deeper than six folders. Empty: none.
+  // When no candidate holds scans: a folder ("Continental", "LiDAR/Aeva") to look for anywhere
+  // below the input, not deeper than six folders. Empty: none.
   std::string name_below;
+
+  // Of the scan files.
+  std::string extension = ".bin";
 
   // True: the names of the files are stamps (and files with other names are no scans).
   // False: any name will do.
@@ -29,26 +32,41 @@ struct ScanFolderQuery {
   double rate = 10.0;
 };
 
-// A folder with one .bin file a scan.
+// A folder with one file a scan.
 struct ScanFolder {
   std::filesystem::path path;
   std::vector<std::string> names;       // of the files, numbers in them in the order of their value
   std::vector<std::int64_t> stamps_ns;  // one a file [ns]
   std::string stamp_origin;             // for the log: "times.txt", "file names", "10 Hz"
+  bool stamps_are_positions = false;    // position / rate, for want of anything better
 
   std::filesystem::path File(std::size_t index) const { return path / names[index]; }
 };
 
 // Finds the folder with the scans of the drive `root`, lists them and finds their stamps:
-// 1. times.txt beside the scans or in `root`: one stamp a scan, see ReadStampFile();
+// 1. times.txt or timestamps.txt beside the scans, in the folder above them or in `root`: one stamp
+//    a scan, see ReadStampFile(); or the first column of ref_poses.txt there (Doppler-ICP);
 // 2. the names, if all are stamps, see StampOfStem();
 // 3. position / rate.
-// Hidden files are left out. Nothing, with the place and what was expected there in `error`, when
-// `root` is no folder, there are no scans or several folders with scans, when the number of lines
-// of times.txt is not that of the scans, or when every scan is a Git-LFS pointer.
+// Hidden files are left out. `root` may be one scan file as well. Nothing, with the place and what
+// was expected there in `error`, when `root` is no folder, there are no scans or several folders
+// with scans, when the number of lines of the file of stamps is not that of the scans, or when
+// every scan is a Git-LFS pointer.
 std::optional<ScanFolder> OpenScanFolder(const std::filesystem::path& root,
                                          const ScanFolderQuery& query,
                                          std::string* error);
+
+// For scans that are numbered, not stamped: says so when most of the numbers do not follow one
+// another (in even steps); empty when they do.
+std::string WhyNotConsecutive(const std::vector<std::string>& names);
+
+// Names of the files in `folder` that end in `extension`, hidden ones left out, numbers in them in
+// the order of their value; none if there is no such folder. False, with the reason in `error`,
+// when the folder cannot be listed.
+bool ListFiles(const std::filesystem::path& folder,
+               const std::string& extension,
+               std::vector<std::string>* names,
+               std::string* error);
 
 // False, with a message in `error`, unless `path` is a folder.
 bool CheckIsFolder(const std::filesystem::path& path, std::string* error);

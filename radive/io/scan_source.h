@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "radive/io/source_facts.h"
 #include "radive/sensor/radar_scan.h"
 
 namespace radive {
@@ -50,6 +51,13 @@ class ScanSource {
 
   // Number of scans of the whole drive, where it is known beforehand (for progress and ETA).
   virtual std::optional<int> NumScans() const = 0;
+
+  // What was found on opening and in the scans read so far, for reports.
+  virtual SourceFacts Facts() const {
+    SourceFacts facts;
+    facts.format = Description();
+    return facts;
+  }
 
   // Set after Status::kError.
   const std::string& error() const { return error_; }

@@ -30,11 +30,13 @@ bool ReadStampFile(const std::filesystem::path& path,
     std::string_view text;
   };
   std::vector<Entry> entries;
-  bool are_seconds = false;
+  const bool is_trajectory = path.filename() == "ref_poses.txt";
+  bool are_seconds = is_trajectory;
   TextLines lines(text);
   for (std::string_view line; lines.Next(&line);) {
     line = TrimBlanks(line);
     if (line.empty() || line.front() == '#') continue;
+    if (is_trajectory) line = line.substr(0, line.find_first_of(" \t"));
     are_seconds = are_seconds || line.find_first_of(".eE") != std::string_view::npos;
     entries.push_back({lines.number(), line});
   }
@@ -55,6 +57,12 @@ bool ReadStampFile(const std::filesystem::path& path,
 
 std::optional<std::int64_t> StampOfStem(std::string_view stem) {
   if (stem.empty() || stem.front() < '1' || stem.front() > '9') return std::nullopt;
+  if (const std::size_t point = stem.find('.'); point != std::string_view::npos) {
+    if (stem.size() - point != 10 || stem.find_first_not_of("0123456789.") != stem.npos) {
+      return std::nullopt;
+    }
+    return ParseStamp(stem);
+  }
   const std::optional<std::int64_t> value = ParseInteger(stem);
   if (!value) return std::nullopt;
   switch (stem.size()) {

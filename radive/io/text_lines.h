@@ -24,6 +24,13 @@ inline std::string Quoted(std::string_view text) {
   return quoted + (text.size() > kLongest ? "...'" : "'");
 }
 
+// ASCII letters in lower case, the rest as it is.
+inline std::string LowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
 // The lines of a text one by one, with their numbers. Line ends are LF or CRLF, the last may be
 // missing; a UTF-8 byte order mark in front is dropped. Holds a view: the text must outlive it.
 class TextLines {

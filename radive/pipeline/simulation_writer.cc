@@ -3,39 +3,21 @@
 
 #include "radive/pipeline/simulation_writer.h"
 
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
+#include <memory>
 #include <system_error>
 #include <variant>
 
+#include "radive/io/scan_writer.h"
+#include "radive/io/whole_file.h"
 #include "radive/simulation/radar_simulator.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Writes to a temporary name beside `path` and renames.
-bool WriteWhole(const fs::path& path, const std::string& bytes, std::string* error) {
-  const fs::path temporary = path.string() + ".tmp";
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) {
-    *error = temporary.string() + ": cannot be written: " + std::strerror(errno);
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return false;
-  }
-  std::error_code code;
-  fs::rename(temporary, path, code);
-  if (code) *error = path.string() + ": cannot be written: " + code.message();
-  return !code;
-}
 
 bool PrepareFolder(const fs::path& folder, std::string* error) {
   std::error_code code;
@@ -45,42 +27,17 @@ bool PrepareFolder(const fs::path& folder, std::string* error) {
              (code ? ": " + code.message() : std::string());
     return false;
   }
-  for (const char* name : {"radar", "labels"}) {
-    fs::create_directories(folder / name, code);
-    if (code) {
-      *error = (folder / name).string() + ": cannot be created: " + code.message();
-      return false;
-    }
-  }
-  return true;
+  fs::create_directories(folder / "labels", code);
+  if (code) *error = (folder / "labels").string() + ": cannot be created: " + code.message();
+  return !code;
 }
 
-void AppendFloat(double value, std::string* bytes) {
-  const auto narrow = static_cast<float>(value);
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &narrow, sizeof(bits));
-  for (int shift = 0; shift < 32; shift += 8) {
-    bytes->push_back(static_cast<char>((bits >> shift) & 0xFFu));
-  }
-}
-
-bool WriteScan(const fs::path& folder,
-               int k,
-               const RadarScan& scan,
-               const GroundTruth& truth,
-               std::string* error) {
+bool WriteLabels(const fs::path& folder, int k, const GroundTruth& truth, std::string* error) {
   char name[32];
   std::snprintf(name, sizeof(name), "%06d.bin", k);
-  std::string returns, labels;
-  for (const RadarReturn& entry : scan.returns) {
-    for (const double value :
-         {entry.position.x(), entry.position.y(), entry.position.z(), entry.doppler, entry.power}) {
-      AppendFloat(value, &returns);
-    }
-  }
+  std::string labels;
   for (const ReturnLabel label : truth.labels) labels.push_back(static_cast<char>(label));
-  return WriteWhole(folder / "radar" / name, returns, error) &&
-         WriteWhole(folder / "labels" / name, labels, error);
+  return WriteWholeFile(folder / "labels" / name, labels, error);
 }
 
 std::string TumLine(std::int64_t stamp_ns, const Rigid3& T_first_radar) {
@@ -102,6 +59,7 @@ std::string TumLine(std::int64_t stamp_ns, const Rigid3& T_first_radar) {
 }
 
 std::string ScenarioJson(const std::string& scenario,
+                         const std::string& format,
                          const RadarSimulator& simulator,
                          int scans,
                          std::int64_t returns,
@@ -116,7 +74,8 @@ std::string ScenarioJson(const std::string& scenario,
     json += "    \"" + fields[i].name + "\": " + quote + fields[i].ToString() + quote +
             (i + 1 < fields.size() ? ",\n" : "\n");
   }
-  json += "  },\n  \"layout\": \"xyzdp5\",\n";
+  json += "  },\n  \"format\": \"" + format + "\",\n";
+  if (format == "raw") json += "  \"layout\": \"xyzdp5\",\n";
   std::snprintf(number, sizeof(number), "%.9g", simulator.sensor().rate);
   json += "  \"rate_hz\": " + std::string(number) + ",\n";
   json += "  \"num_scans\": " + std::to_string(scans) + ",\n";
@@ -130,31 +89,32 @@ std::string ScenarioJson(const std::string& scenario,
 
 bool WriteSimulation(const std::string& scenario,
                      const SimulationOptions& options,
+                     const std::string& format,
                      const fs::path& folder,
                      const std::function<void(int, int)>& progress,
                      std::string* error) {
   if (!options.IsValid(error) || !PrepareFolder(folder, error)) return false;
+  const std::unique_ptr<ScanWriter> writer = OpenScanWriter(format, folder, error);
+  if (writer == nullptr) return false;
   RadarSimulator simulator(options);
   RadarScan scan;
   GroundTruth truth;
   Rigid3 T_first_world;
-  std::string times, poses;
+  std::string poses;
   std::int64_t returns = 0;
   int k = 0;
   for (; simulator.Next(&scan, &truth); ++k) {
     if (k == 0) T_first_world = truth.T_world_radar.Inverse();
-    if (!WriteScan(folder, k, scan, truth, error)) return false;
-    times += std::to_string(scan.stamp_ns) + "\n";
+    if (!writer->Add(scan, error) || !WriteLabels(folder, k, truth, error)) return false;
     poses += TumLine(scan.stamp_ns, T_first_world * truth.T_world_radar);
     returns += static_cast<std::int64_t>(scan.returns.size());
     if (progress) progress(k + 1, options.frames);
   }
   const double path_length = simulator.TravelledAt(k - 1);
-  return WriteWhole(folder / "times.txt", times, error) &&
-         WriteWhole(folder / "gt_tum.txt", poses, error) &&
-         WriteWhole(folder / "scenario.json",
-                    ScenarioJson(scenario, simulator, k, returns, path_length),
-                    error);
+  return writer->Finish(error) && WriteWholeFile(folder / "gt_tum.txt", poses, error) &&
+         WriteWholeFile(folder / "scenario.json",
+                        ScenarioJson(scenario, format, simulator, k, returns, path_length),
+                        error);
 }
 
 }  // namespace radive

@@ -14,7 +14,8 @@ namespace radive {
 // Simulates a drive into `folder`, which is created and must be empty when it exists:
 //
 //   radar/NNNNNN.bin   scan: little-endian float32, five per return: x y z doppler power
-//                      [m, m, m, m/s, dB], the layout "xyzdp5"
+//                      [m, m, m, m/s, dB], the layout "xyzdp5"; other places and forms by `format`,
+//                      see ScanWriterNames()
 //   labels/NNNNNN.bin  one byte per return: ReturnLabel
 //   times.txt          line k: stamp of scan k, integer [ns]
 //   gt_tum.txt         line k: true pose at scan k, "t x y z qx qy qz qw" [s, m], maps the radar
@@ -26,6 +27,7 @@ namespace radive {
 // the setting in `error`.
 bool WriteSimulation(const std::string& scenario,
                      const SimulationOptions& options,
+                     const std::string& format,
                      const std::filesystem::path& folder,
                      const std::function<void(int, int)>& progress,
                      std::string* error);

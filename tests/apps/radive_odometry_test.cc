@@ -3,11 +3,8 @@
 
 // Runs the program itself. RADIVE_ODOMETRY is its path, from CMake.
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +17,7 @@
 #include <vector>
 
 #include "radive/config/run_config.h"
+#include "tests/apps/run_program.h"
 #include "tests/scratch_folder.h"
 
 namespace radive {
@@ -27,40 +25,17 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using testing::Outcome;
 using testing::ReadFile;
 using testing::ScratchFolder;
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int code = -1;
-  std::string output;  // both streams
-};
-
 pid_t Start(const std::vector<std::string>& arguments, const fs::path& log) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  dup2(file, STDOUT_FILENO);
-  dup2(file, STDERR_FILENO);
-  std::vector<char*> argv;
-  std::string program = RADIVE_ODOMETRY;
-  argv.push_back(program.data());
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.data()));
-  argv.push_back(nullptr);
-  execv(program.c_str(), argv.data());
-  _exit(127);
-}
-
-Outcome Wait(pid_t child, const fs::path& log) {
-  int status = 0;
-  waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), ReadFile(log)};
+  return testing::StartProgram(RADIVE_ODOMETRY, arguments, log);
 }
 
 Outcome RunProgram(const std::vector<std::string>& arguments) {
-  const ScratchFolder scratch;
-  const fs::path log = scratch.path() / "log";
-  return Wait(Start(arguments, log), log);
+  return testing::RunProgram(RADIVE_ODOMETRY, arguments);
 }
 
 // A drive of `count` scans with `num_returns` x y z doppler power records each; all are the same
@@ -154,7 +129,7 @@ TEST_F(RadiveOdometry, AnInterruptFinishesTheFiles) {
     const fs::path partial = In(name) / ".trajectory_tum.txt.partial";
     for (int i = 0; i < 2000 && CountLines(partial) < 5; ++i) usleep(5000);
     kill(child, signal_number);
-    const Outcome outcome = Wait(child, In("log" + name));
+    const Outcome outcome = testing::WaitForProgram(child, In("log" + name));
     EXPECT_EQ(outcome.code, 130) << outcome.output;
     const int frames = CountLines(In(name) / "trajectory_tum.txt");
     EXPECT_GE(frames, 5);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "radive/io/open_scan_source.h"
+#include "radive/io/point_file_writer.h"
 #include "radive/util/random.h"
 #include "tests/io/scan_files.h"
 
@@ -64,6 +65,7 @@ TEST(DamagedFiles, RawScansAndTimes) {
   const std::string scan = Floats({1, 2, 3, -4, 5, 6, 7, 8, -9, 10});
   const std::string times = "# stamps\n0.100000000\n0.2\n3.0e-1\n";
   InputOptions options;
+  options.format = InputOptions::Format::kRaw;
   options.layout = "xyzdp5";
   Random random(1);
   for (int i = 0; i < kNumCases; ++i) {
@@ -101,6 +103,82 @@ TEST(DamagedFiles, RadarScenes) {
     folder.Write("radar2_points.bin", i % 3 == 1 ? points : Damage(points, &random));
     ReadDamaged(folder, options, 3);
   }
+}
+
+// Reads the damaged files as drives of one scan each; whatever is in them, the returns fit into the
+// file.
+void ReadDamagedFiles(const std::string& name,
+                      const std::string& content,
+                      InputOptions::Format format,
+                      std::uint64_t seed) {
+  InputOptions options;
+  options.format = format;
+  Random random(seed);
+  const auto read = [&](const std::string& bytes) {
+    const TempFolder folder;
+    folder.Write(name, bytes);
+    ReadDamaged(folder, options, bytes.size());
+  };
+  for (std::size_t size = 0; size < content.size(); ++size) read(content.substr(0, size));
+  for (int i = 0; i < kNumCases; ++i) read(Damage(content, &random));
+  read("");
+  read(std::string(100, '\xFF'));
+}
+
+std::vector<RadarReturn> Returns() {
+  std::vector<RadarReturn> returns(3);
+  for (std::size_t i = 0; i < returns.size(); ++i) {
+    returns[i].position = {10.0 + static_cast<double>(i), 2.5, -0.5};
+    returns[i].doppler = -9.75;
+    returns[i].power = 17.0;
+  }
+  return returns;
+}
+
+TEST(DamagedFiles, Pcd) {
+  std::uint64_t seed = 4;
+  for (const PcdEncoding encoding :
+       {PcdEncoding::kAscii, PcdEncoding::kBinary, PcdEncoding::kCompressed}) {
+    const std::string bytes = PcdBytes(Returns(), encoding);
+    ReadDamagedFiles("0.pcd", bytes, InputOptions::Format::kPcd, seed++);
+  }
+}
+
+TEST(DamagedFiles, Ply) {
+  std::uint64_t seed = 7;
+  for (const PlyEncoding encoding :
+       {PlyEncoding::kAscii, PlyEncoding::kLittleEndian, PlyEncoding::kBigEndian}) {
+    const std::string bytes = PlyBytes(Returns(), encoding);
+    ReadDamagedFiles("0.ply", bytes, InputOptions::Format::kPly, seed++);
+  }
+}
+
+TEST(DamagedFiles, Csv) {
+  ReadDamagedFiles("0.csv", CsvBytes(Returns()), InputOptions::Format::kCsv, 10);
+}
+
+TEST(DamagedFiles, Npy) {
+  const std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 5), }\n";
+  const std::string bytes = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) +
+                            '\0' + header + RawBytes(Returns());
+  ReadDamagedFiles("0.npy", bytes, InputOptions::Format::kNpy, 11);
+}
+
+TEST(DamagedFiles, Yaml) {
+  ReadDamagedFiles(
+      "0.yaml",
+      "sec: 1\ndetections:\n  - range: 10\n    azimuth_angle: 0.5\n    range_rate: -3\n"
+      "  - range: 20\n    azimuth_angle: -0.5\n    range_rate: -4\nend: 1\n",
+      InputOptions::Format::kYaml,
+      13);
+}
+
+TEST(DamagedFiles, RaFlow) {
+  const std::string scan =
+      R"({"car_loc_x":[1,2],"car_loc_y":[3,4],"car_loc_z":[0,0],"car_vel_r":[-1,-1],)"
+      R"("rcs":[5,6],"power":[7,8]})";
+  const std::string bytes = "{\"pc1\":" + scan + ",\"pc2\":" + scan + ",\"interval\":0.1}";
+  ReadDamagedFiles("radar_seqs-0_samples-1.json", bytes, InputOptions::Format::kRaFlow, 12);
 }
 
 }  // namespace

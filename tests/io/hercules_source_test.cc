@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/hercules_source.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "radive/io/raw_source.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -28,13 +27,13 @@ std::string Record(double x, double y, double z, double v, double r, int rcs) {
 
 class HerculesSourceTest : public ::testing::Test {
  protected:
-  std::unique_ptr<HerculesSource> Open() {
-    auto source = HerculesSource::Open(folder_.path(), options_, &error_);
+  std::unique_ptr<ScanSource> Open() {
+    auto source = OpenHerculesSource(folder_.path(), options_, &error_);
     EXPECT_NE(source, nullptr) << error_;
     return source;
   }
   std::string OpenError() {
-    EXPECT_EQ(HerculesSource::Open(folder_.path(), options_, &error_), nullptr);
+    EXPECT_EQ(OpenHerculesSource(folder_.path(), options_, &error_), nullptr);
     return error_;
   }
   void WriteScan(const std::string& stem, const std::string& content) {

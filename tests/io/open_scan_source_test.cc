@@ -24,6 +24,7 @@ TEST(OpenScanSource, OpensEachFormat) {
   folder.Write("radar2_scans.csv", "timestamp_rad,first_point,num_points\n0.1,0,0\n");
   folder.Write("radar2_points.bin", "");
   InputOptions options;
+  options.layout = "xyz3";
   options.folder = "Radar/Continental";
   std::string error;
   for (const auto& [format, name] :
@@ -43,16 +44,17 @@ TEST(OpenScanSource, OpensEachFormat) {
 
 TEST(OpenScanSource, SaysWhichFolderIsMissing) {
   const TempFolder folder;
-  folder.Write("file.bin", "a file, no folder");
+  folder.Write("file.txt", "a file, no folder");
   for (const Format format : {Format::kRaw, Format::kHercules, Format::kRadarScenes}) {
     InputOptions options;
     options.format = format;
+    options.layout = "xyz3";
     std::string error;
     const std::string absent = (folder.path() / "absent").string();
     EXPECT_EQ(OpenScanSource(absent, options, &error), nullptr);
     EXPECT_THAT(error,
                 AllOf(HasSubstr(absent), HasSubstr("expected a folder"), HasSubstr("not exist")));
-    const std::string file = (folder.path() / "file.bin").string();
+    const std::string file = (folder.path() / "file.txt").string();
     EXPECT_EQ(OpenScanSource(file, options, &error), nullptr);
     EXPECT_THAT(error, AllOf(HasSubstr(file), HasSubstr("it is a file")));
     error.clear();

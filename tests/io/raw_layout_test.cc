@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "radive/io/field_matching.h"
 #include "radive/io/input_options.h"
 
 namespace radive {
@@ -21,7 +22,17 @@ std::vector<int> Columns(const std::string& text) {
     ADD_FAILURE() << error;
     return {};
   }
-  return {layout->num_columns, layout->x, layout->y, layout->z, layout->doppler, layout->power};
+  const std::optional<FieldMatch> match = MatchFields(layout->fields, {}, &error);
+  if (!match) ADD_FAILURE() << error;
+  std::vector<int> columns = {static_cast<int>(layout->record_size / 4)};
+  for (const FieldRole role :
+       {FieldRole::kX, FieldRole::kY, FieldRole::kZ, FieldRole::kDoppler, FieldRole::kPower}) {
+    const int index = (*match)[role];
+    columns.push_back(
+        index < 0 ? -1
+                  : static_cast<int>(layout->fields[static_cast<std::size_t>(index)].offset / 4));
+  }
+  return columns;
 }
 
 TEST(ParseRawLayout, KnowsTheNamedLayouts) {
@@ -29,6 +40,27 @@ TEST(ParseRawLayout, KnowsTheNamedLayouts) {
   EXPECT_EQ(Columns("vod7"), (std::vector<int>{7, 0, 1, 2, 4, 3}));
   EXPECT_EQ(Columns("xyzdp5"), (std::vector<int>{5, 0, 1, 2, 3, 4}));
   EXPECT_EQ(Columns("tj4d8"), (std::vector<int>{8, 0, 1, 2, 3, 5}));
+}
+
+TEST(ParseRawLayout, KnowsEveryNameThatItLists) {
+  for (const std::string& name : RawLayoutNames()) {
+    std::string error;
+    EXPECT_TRUE(ParseRawLayout(name, &error)) << error;
+  }
+}
+
+// Sizes from the datasets' own descriptions; the numbers in the names count bytes there.
+TEST(ParseRawLayout, RecordsOfSeveralTypesHaveTheirSizes) {
+  for (const auto& [name, size] : {std::pair("hercules29", 29u),
+                                   std::pair("aeva29", 29u),
+                                   std::pair("aeva25", 25u),
+                                   std::pair("boreas_aeva40", 40u),
+                                   std::pair("x:float64,y,z,rcs:uint16", 18u)}) {
+    std::string error;
+    const std::optional<RawLayout> layout = ParseRawLayout(name, &error);
+    ASSERT_TRUE(layout) << error;
+    EXPECT_EQ(layout->record_size, size) << name;
+  }
 }
 
 TEST(ParseRawLayout, ReadsListsOfColumns) {
@@ -40,13 +72,14 @@ TEST(ParseRawLayout, ReadsListsOfColumns) {
 TEST(ParseRawLayout, SaysWhatIsWrong) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "found ''"},
-      {"vod", "expected xyz3, vod7, xyzdp5, tj4d8"},
+      {"vod", "expected xyz3, xyzdp5, vod7, tj4d8, mscrad17"},
       {"x,y,z,dopler", "found 'dopler'"},
       {"x,y,z,v_r_compensated", "found 'v_r_compensated'"},
       {"x,y,,z", "found ''"},
-      {"x,y,z,doppler,v_r", "'v_r' says the same as column 4"},
+      {"x,y,z,doppler,v_r", "'v_r' says the same as column 'doppler'"},
       {"y,z,doppler", "must have the columns x and y"},
       {"[x,y,z", "found '[x'"},
+      {"x,y,z,rcs:char", "found 'rcs:char'"},
   };
   for (const auto& [text, message] : cases) {
     std::string error;

@@ -91,7 +91,9 @@ TEST(RealScans, ViewOfDelftWithoutDoppler) {
                              Drive{"delft_12", 337, 83177},
                              Drive{"delft_24", 346, 118771},
                              Drive{"delft_26", 257, 48252}}) {
-    const auto scans = ReadDrive(std::string("vod-radar-xyz/") + drive.name, InputOptions());
+    InputOptions options;
+    options.layout = "xyz3";
+    const auto scans = ReadDrive(std::string("vod-radar-xyz/") + drive.name, options);
     ASSERT_EQ(scans.size(), drive.num_scans) << drive.name;
     EXPECT_EQ(NumReturns(scans), drive.num_returns) << drive.name;
     for (std::size_t k = 0; k < scans.size(); ++k) {

@@ -76,12 +76,15 @@ TEST(StampOfStem, TellsUnitsByTheNumberOfDigits) {
   EXPECT_EQ(StampOfStem("1693922345123456789"), 1693922345123456789);
   EXPECT_EQ(StampOfStem("1693922345123456"), 1693922345123456000);
   EXPECT_EQ(StampOfStem("1693922345123"), 1693922345123000000);
+  EXPECT_EQ(StampOfStem("1706001762.099999905"), 1706001762099999905);
   for (const char* text : {"",
                            "000549",
                            "0693922345123456789",
                            "1693922345",
                            "-169392234512",
                            "1693922345.12",
+                           "1693922345.12345678x",
+                           "1.693922345.123456789",
                            "9999999999999999999"}) {
     EXPECT_FALSE(StampOfStem(text)) << text;
   }

@@ -57,7 +57,8 @@ TEST_F(SimulationWriterTest, FilesHoldWhatTheSimulatorSays) {
     EXPECT_EQ(done, ++last_done);
     EXPECT_EQ(all, 12);
   };
-  ASSERT_TRUE(WriteSimulation("street_sparse", options_, folder_, progress, &error_)) << error_;
+  ASSERT_TRUE(WriteSimulation("street_sparse", options_, "raw", folder_, progress, &error_))
+      << error_;
   EXPECT_EQ(last_done, 12);
 
   std::istringstream times(Bytes(folder_ / "times.txt"));
@@ -104,7 +105,7 @@ TEST_F(SimulationWriterTest, FilesHoldWhatTheSimulatorSays) {
 
 // One metre is 00 00 80 3f in little-endian float32; the first pose is the identity.
 TEST_F(SimulationWriterTest, FirstPoseIsTheIdentity) {
-  ASSERT_TRUE(WriteSimulation("street_sparse", options_, folder_, {}, &error_)) << error_;
+  ASSERT_TRUE(WriteSimulation("street_sparse", options_, "raw", folder_, {}, &error_)) << error_;
   const std::string poses = Bytes(folder_ / "gt_tum.txt");
   EXPECT_EQ(poses.substr(0, poses.find('\n')),
             "0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 0.000000000 "
@@ -118,8 +119,8 @@ TEST_F(SimulationWriterTest, FirstPoseIsTheIdentity) {
 TEST_F(SimulationWriterTest, SameBytesTwice) {
   const fs::path again = folder_.string() + "_again";
   fs::remove_all(again);
-  ASSERT_TRUE(WriteSimulation("street_sparse", options_, folder_, {}, &error_)) << error_;
-  ASSERT_TRUE(WriteSimulation("street_sparse", options_, again, {}, &error_)) << error_;
+  ASSERT_TRUE(WriteSimulation("street_sparse", options_, "raw", folder_, {}, &error_)) << error_;
+  ASSERT_TRUE(WriteSimulation("street_sparse", options_, "raw", again, {}, &error_)) << error_;
   int files = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
     if (!entry.is_regular_file()) continue;
@@ -134,7 +135,7 @@ TEST_F(SimulationWriterTest, SameBytesTwice) {
 TEST_F(SimulationWriterTest, RefusesAFolderThatHoldsSomething) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "notes.txt") << "mine";
-  EXPECT_FALSE(WriteSimulation("street_sparse", options_, folder_, {}, &error_));
+  EXPECT_FALSE(WriteSimulation("street_sparse", options_, "raw", folder_, {}, &error_));
   EXPECT_EQ(error_, folder_.string() + ": must be a new or empty folder");
   EXPECT_FALSE(fs::exists(folder_ / "radar"));
 }
@@ -142,7 +143,7 @@ TEST_F(SimulationWriterTest, RefusesAFolderThatHoldsSomething) {
 TEST_F(SimulationWriterTest, NamesTheFolderThatCannotBeMade) {
   std::ofstream(folder_) << "a file";
   const fs::path below = folder_ / "below";
-  EXPECT_FALSE(WriteSimulation("street_sparse", options_, below, {}, &error_));
+  EXPECT_FALSE(WriteSimulation("street_sparse", options_, "raw", below, {}, &error_));
   EXPECT_EQ(error_.rfind(below.string(), 0), 0u) << error_;
 }
 

@@ -293,8 +293,10 @@ TEST(RegisterNdt, PriorsPullAsTheirCovarianceSays) {
 TEST(RegisterNdt, AnalyticAndAutodiffAgreeOnRealScans) {
   RADIVE_SKIP_WITHOUT("vod-radar-xyz/delft_06");
   std::string error;
-  const auto source = OpenScanSource(
-      (testing::SharedData() / "vod-radar-xyz/delft_06").string(), InputOptions(), &error);
+  InputOptions input;
+  input.layout = "xyz3";
+  const auto source =
+      OpenScanSource((testing::SharedData() / "vod-radar-xyz/delft_06").string(), input, &error);
   ASSERT_NE(source, nullptr) << error;
   PreprocessingOptions preprocessing;
   preprocessing.max_range = 60.0;

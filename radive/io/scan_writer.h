@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "radive/sensor/radar_scan.h"
+
+namespace radive {
+
+// Writes a drive, scan by scan, in a form that OpenScanSource() reads.
+class ScanWriter {
+ public:
+  virtual ~ScanWriter() = default;
+
+  // False, with the file and the reason in `error`, when the scan cannot be written.
+  virtual bool Add(const RadarScan& scan, std::string* error) = 0;
+
+  // After the last scan: completes the files.
+  virtual bool Finish(std::string* error) = 0;
+};
+
+// Names of the formats that can be written:
+//   raw                          radar/NNNNNN.bin, layout xyzdp5
+//   pcd_ascii pcd_binary pcd_compressed, ply_ascii ply_binary ply_big_endian, csv
+//                                radar/NNNNNN.pcd and so on
+//   hercules                     Radar/Continental/<19 digits of the stamp in ns>.bin
+//   snail                        ars548/points/<seconds>.<nanoseconds>.pcd
+//   vod                          radar/training/velodyne/NNNNN.bin
+//   rosbag1, rosbag2, mcap ...   bags, see BagScanWriterNames() in bag/bag_scan_writer.h
+// Files of points but vod keep their stamps in times.txt, a line a scan [ns].
+const std::vector<std::string>& ScanWriterNames();
+
+// Starts a drive in `folder`, which must exist. Null, with the reason in `error`, for an unknown
+// format or a folder that cannot be written to.
+std::unique_ptr<ScanWriter> OpenScanWriter(const std::string& format,
+                                           const std::filesystem::path& folder,
+                                           std::string* error);
+
+}  // namespace radive
