@@ -54,7 +54,7 @@ const char* ToString(OdometryResult::Status status) {
 class Odometry::Impl {
  public:
   explicit Impl(const OdometryOptions& options)
-      : options_(options), submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
+      : options_(options), submap_(MakeSubmap(options)) {
     std::string error;
     CHECK(options.IsValid(&error)) << error;
   }
@@ -350,6 +350,8 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   const double dt =
       is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
+  submap_->NextScan();
+  for (std::string& note : submap_->TakeNotes()) notes_.push_back(std::move(note));
   vehicle_->Advance(dt);
   FilteredScan filtered = Filter(scan, &result);
   const EgoVelocity& velocity = result.ego_velocity;

@@ -16,13 +16,19 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> OdometryOptions::S
       {"registration", registration.Fields()},
       {"motion", motion.Fields()},
       {"submap", submap.Fields()},
+      {"sdf_submap", sdf_submap.Fields()},
+      {"neural_map", neural_map.Fields()},
+      {"training", training.Fields()},
+      {"surface", surface.Fields()},
   };
 }
 
 bool OdometryOptions::IsValid(std::string* error) const {
   return sensor.IsValid(error) && preprocessing.IsValid(error) && occlusion.IsValid(error) &&
          ego_velocity.IsValid(error) && ndt.IsValid(error) && pairs.IsValid(error) &&
-         registration.IsValid(error) && motion.IsValid(error) && submap.IsValid(error);
+         registration.IsValid(error) && motion.IsValid(error) && submap.IsValid(error) &&
+         sdf_submap.IsValid(error) && neural_map.IsValid(error) && training.IsValid(error) &&
+         surface.IsValid(error);
 }
 
 }  // namespace radive
