@@ -165,6 +165,7 @@ class SdfSubmap : public Submap {
     if (mode_ != Mode::kSurface) raw_->AddKeyframe(keyframe);
     if (mode_ == Mode::kBypass) return;
     ++num_keyframes_;
+    if (mode_ == Mode::kSurface && options_.sdf_submap.handover_scans > 0) AppendRaw(keyframe);
     const auto policy =
         options_.num_threads > 1 ? std::launch::async : std::launch::deferred;
     pending_ = std::async(policy, [worker = worker_.get(), keyframe = std::move(keyframe)] {
@@ -191,6 +192,19 @@ class SdfSubmap : public Submap {
 
  private:
   enum class Mode { kUndecided, kSurface, kBypass };
+
+  // Until the training hands over, the newest keyframe stands in the submap as it was measured:
+  // around a corner it may be all that there is to see.
+  void AppendRaw(const Keyframe& keyframe) {
+    const auto raw = MakeRawSubmap(options_.submap, options_.ndt, options_.sensor);
+    raw->AddKeyframe(keyframe);
+    std::vector<Gaussian3> gaussians = *trained_.gaussians;
+    const std::vector<Gaussian3>& newest = raw->search()->submap();
+    gaussians.insert(gaussians.end(), newest.begin(), newest.end());
+    trained_.search.reset();
+    trained_.gaussians = std::make_unique<const std::vector<Gaussian3>>(std::move(gaussians));
+    trained_.search = std::make_unique<PairSearch>(*trained_.gaussians);
+  }
 
   void Join() {
     TrainedSubmap trained = pending_.get();

@@ -61,11 +61,12 @@ void AddDrive(const DriveLesson& drive,
     label_scan.origin = last + offset;
     std::vector<MapReturn> returns;
     for (std::size_t i = 0; i < scan.returns.size(); ++i) {
-      if (truth.labels[i] == ReturnLabel::kMoving || scan.returns[i].position.norm() > kMaxRange) {
-        continue;
-      }
+      // Without noise: a decoder of noisy labels learns to mistrust the local planes, and then does
+      // not know a clean one. Features can still say how far to go.
+      const Eigen::Vector3d& p_radar = truth.noise_free_positions[i];
+      if (truth.labels[i] != ReturnLabel::kStatic || p_radar.norm() > kMaxRange) continue;
       MapReturn entry;
-      entry.position = T_world_radar * scan.returns[i].position + offset;
+      entry.position = T_world_radar * p_radar + offset;
       returns.push_back(entry);
       label_scan.points.push_back(entry.position);
     }

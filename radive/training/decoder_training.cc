@@ -26,10 +26,13 @@ SdfDecoder TrainNewDecoder(
   TrainDecoder(samples, {}, decoder_phase, map, &decoder);
   tell("decoder, first features");
 
+  // Half of the points keep their first features for good: the decoder must go on to understand
+  // those, since every point of a map begins with them.
   std::vector<int> free;
   for (const SdfSample& sample : samples) {
     for (int i = 0; i < sample.neighbors.count; ++i) {
-      free.push_back(sample.neighbors.index[static_cast<std::size_t>(i)]);
+      const int k = sample.neighbors.index[static_cast<std::size_t>(i)];
+      if (map->point(k).created % 2 == 0) free.push_back(k);
     }
   }
   std::sort(free.begin(), free.end());
