@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "radive/factors/sdf_fit_factor.h"
+#include "radive/neural_map/decoder_kernel.h"
 #include "radive/neural_map/surface_extractor.h"
 #include "radive/simulation/radar_simulator.h"
 #include "radive/training/sdf_mapper.h"
@@ -24,8 +25,7 @@ std::vector<MapKeyframe> MakeKeyframes(bool dense) {
   std::vector<MapKeyframe> keyframes;
   while (keyframes.size() < 12 && simulator.Next(&scan, &truth)) {
     const Rigid3& T_world_radar = truth.T_world_radar;
-    if (!keyframes.empty() &&
-        (T_world_radar.translation - keyframes.back().origin).norm() < 2.0) {
+    if (!keyframes.empty() && (T_world_radar.translation - keyframes.back().origin).norm() < 2.0) {
       continue;
     }
     MapKeyframe keyframe;
@@ -78,29 +78,24 @@ BENCHMARK(BM_Keyframe)
 
 // A map of twelve keyframes and samples to train the last of them.
 struct Lesson {
+  Lesson() : mapper(NeuralMapOptions(), SdfTrainingOptions()) {
+    for (const MapKeyframe& keyframe : Keyframes(true)) mapper.AddKeyframe(keyframe);
+    samples = mapper.HeldOutSamples(SdfTrainingOptions());
+    for (int k = 0; k < mapper.map().size(); ++k) {
+      if (mapper.map().point(k).last_update + 1 == static_cast<int>(Keyframes(true).size())) {
+        free.push_back(k);
+      }
+    }
+  }
+
   SdfMapper mapper;
-  NeuralPoints map;
   std::vector<SdfSample> samples;
   std::vector<int> free;
 };
 
 const Lesson& DenseLesson() {
-  static const Lesson* const lesson = [] {
-    auto* made = new Lesson{SdfMapper(NeuralMapOptions(), SdfTrainingOptions()),
-                            NeuralPoints((NeuralMapOptions())),
-                            {},
-                            {}};
-    for (const MapKeyframe& keyframe : Keyframes(true)) made->mapper.AddKeyframe(keyframe);
-    made->map = made->mapper.map();
-    made->samples = made->mapper.HeldOutSamples(SdfTrainingOptions());
-    for (int k = 0; k < made->map.size(); ++k) {
-      if (made->map.point(k).last_update + 1 == static_cast<int>(Keyframes(true).size())) {
-        made->free.push_back(k);
-      }
-    }
-    return made;
-  }();
-  return *lesson;
+  static const Lesson lesson;
+  return lesson;
 }
 
 // Problem and one Levenberg-Marquardt step; range(0): SolverOptions::LinearSolver.
@@ -109,7 +104,7 @@ void BM_Iteration(benchmark::State& state) {
   SdfTrainingOptions options;
   options.solver.max_iterations = 1;
   options.solver.linear_solver = static_cast<SolverOptions::LinearSolver>(state.range(0));
-  NeuralPoints map = lesson.map;
+  NeuralPoints map = lesson.mapper.map();
   for (auto _ : state) {
     TrainFeatures(lesson.samples, lesson.free, lesson.mapper.decoder(), options, &map);
   }
@@ -159,9 +154,9 @@ void BM_ExtractSurface(benchmark::State& state) {
   const Lesson& lesson = DenseLesson();
   for (auto _ : state) {
     benchmark::DoNotOptimize(
-        ExtractSurface(lesson.map, lesson.mapper.decoder(), SurfaceOptions()));
+        ExtractSurface(lesson.mapper.map(), lesson.mapper.decoder(), SurfaceOptions()));
   }
-  state.SetItemsProcessed(state.iterations() * lesson.map.size());
+  state.SetItemsProcessed(state.iterations() * lesson.mapper.map().size());
 }
 BENCHMARK(BM_ExtractSurface)->Unit(benchmark::kMillisecond);
 

@@ -206,7 +206,8 @@ bool ReadText(const std::string& path,
   std::error_code ignored;
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path, ignored)) {
-    *error = path + ": cannot read the " + what + ": " + (file ? "is a folder" : std::strerror(errno));
+    *error =
+        path + ": cannot read the " + what + ": " + (file ? "is a folder" : std::strerror(errno));
     return false;
   }
   std::stringstream buffer;
@@ -244,8 +245,8 @@ std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
     *error = PlaceOf(place, exception.mark) + "not valid YAML: " + exception.msg;
     return std::nullopt;
   }
-  if (!ApplySet(set_text, &stages, error) ||
-      !ReadDecoder(&config.odometry.neural_map, error) || !config.IsValid(error)) {
+  if (!ApplySet(set_text, &stages, error) || !ReadDecoder(&config.odometry.neural_map, error) ||
+      !config.IsValid(error)) {
     return std::nullopt;
   }
   return config;

@@ -17,13 +17,13 @@ namespace radive {
 // Training samples that share their neural points, as SdfFitCost takes them.
 struct SdfSampleGroup {
   struct Term {
-    int block = 0;        // which free feature
-    double weight = 0.0;  // nu_k / sum of all nu of the sample [-]
+    int block = 0;                                // which free feature
+    double weight = 0.0;                          // nu_k / sum of all nu of the sample [-]
     Eigen::Vector3d d = Eigen::Vector3d::Zero();  // sample relative to the point, its axes [m]
   };
   struct Sample {
-    int first_term = 0;    // its terms end where those of the next begin
-    double target = 0.0;   // label less what the points with fixed features contribute [m]
+    int first_term = 0;      // its terms end where those of the next begin
+    double target = 0.0;     // label less what the points with fixed features contribute [m]
     double inv_sigma = 1.0;  // [1/m]
   };
 
@@ -33,8 +33,8 @@ struct SdfSampleGroup {
 };
 
 // Many SdfFitFactors about one neural point as a single block, in closed form, with the decoder
-// frozen: the same residuals and derivatives. Neighbours that training leaves alone are constants in
-// the target. One block a sample costs three times as much in Ceres' bookkeeping alone.
+// frozen: the same residuals and derivatives. Neighbours that training leaves alone are constants
+// in the target. One block a sample costs three times as much in Ceres' bookkeeping alone.
 //
 // Parameter blocks: the free features (feature dimension each). Residuals: one a sample, unit-free.
 template <int kFeature, int kHidden>

@@ -17,7 +17,7 @@ struct Gaussian3 {
   // How far a submap trusts it: scales the cost of its pairs [-], in [0, 1].
   double confidence = 1.0;
 
-  int count = 1;                                             // points it stands for
+  int count = 1;  // points it stands for
 };
 
 }  // namespace radive

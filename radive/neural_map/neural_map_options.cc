@@ -59,7 +59,8 @@ bool NeuralMapOptions::IsValid(std::string* error) const {
 }
 
 SdfDecoder NeuralMapOptions::Decoder() const {
-  return decoder != nullptr ? *decoder : BuiltInDecoder(feature_dim, orientation == Orientation::kNormal);
+  return decoder != nullptr ? *decoder
+                            : BuiltInDecoder(feature_dim, orientation == Orientation::kNormal);
 }
 
 }  // namespace radive

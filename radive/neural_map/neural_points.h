@@ -19,8 +19,8 @@ namespace radive {
 
 // A neural point, but for its feature.
 struct NeuralPoint {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();                // map frame [m]
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();   // q_k: from map axes to its own
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();               // map frame [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  // q_k: from map axes to its own
 
   // Sum over the keyframes that saw it of the largest weight of their returns in its cell [-].
   double certainty = 0.0;
@@ -31,22 +31,22 @@ struct NeuralPoint {
   double weight_sum = 0.0;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 
-  std::uint64_t cell = 0;             // key of its cell
+  std::uint64_t cell = 0;        // key of its cell
   double keyframe_weight = 0.0;  // largest weight in the last keyframe
   int next = -1;                 // another point of the same cell, which only Transform() makes
 };
 
 // A return as the map takes it in.
 struct MapReturn {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // map frame [m]
-  double weight = 1.0;                                 // velocity-discrepancy weight [-], > 0
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();    // map frame [m]
+  double weight = 1.0;                                   // velocity-discrepancy weight [-], > 0
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of the measurement, map frame [m^2]
 };
 
 // The K nearest neural points of a position.
 struct Neighbors {
   int count = 0;
-  std::array<int, kMaxSdfNeighbors> index{};               // ascending distance, then index
+  std::array<int, kMaxSdfNeighbors> index{};                // ascending distance, then index
   std::array<double, kMaxSdfNeighbors> squared_distance{};  // [m^2]
 };
 

@@ -25,8 +25,8 @@ std::vector<std::string> Words(const std::string& line) {
 bool ParseNumber(const std::string& word, double* value) {
   std::istringstream stream(word);
   stream.imbue(std::locale::classic());
-  return static_cast<bool>(stream >> *value) && stream.peek() == std::istringstream::traits_type::eof() &&
-         std::isfinite(*value);
+  return static_cast<bool>(stream >> *value) &&
+         stream.peek() == std::istringstream::traits_type::eof() && std::isfinite(*value);
 }
 
 void AppendNumber(double value, std::string* text) {
@@ -122,9 +122,8 @@ std::optional<SdfDecoder> SdfDecoder::FromText(const std::string& text,
       (activation[1] != "softsign" && activation[1] != "relu")) {
     return fail("activation softsign or relu");
   }
-  SdfDecoder decoder(feature_dim,
-                     hidden,
-                     activation[1] == "relu" ? Activation::kRelu : Activation::kSoftsign);
+  SdfDecoder decoder(
+      feature_dim, hidden, activation[1] == "relu" ? Activation::kRelu : Activation::kSoftsign);
   const std::size_t row_size = static_cast<std::size_t>(feature_dim) + 4;
   for (std::size_t i = 0; i < static_cast<std::size_t>(hidden); ++i) {
     if (!reader.Numbers("unit", feature_dim + 5, &values)) {

@@ -46,8 +46,10 @@ class SdfDecoder {
   // D at `feature` and `d` [m], with `unit` [m]. Templated on the scalar of the feature and of the
   // parameters, so that Jets pass; `parameters` has the order given above.
   template <typename T>
-  T Evaluate(const T* parameters, const T* feature, const Eigen::Matrix<T, 3, 1>& d, double unit)
-      const {
+  T Evaluate(const T* parameters,
+             const T* feature,
+             const Eigen::Matrix<T, 3, 1>& d,
+             double unit) const {
     const int row_size = feature_dim_ + 4;
     const T* output_weights = parameters + hidden_ * row_size;
     T sum = output_weights[hidden_];

@@ -45,13 +45,10 @@ SdfValue QuerySdf(const NeuralPoints& map,
     const NeuralPoint& point = map.point(k);
     typename DecoderKernel<kFeature, kHidden>::FeatureVector unused;
     Eigen::Vector3d by_position;
-    const double distance = kernel.Derivatives(kernel.Feature(map.feature(k)),
-                                               map.Relative(k, position),
-                                               &unused,
-                                               &by_position);
+    const double distance = kernel.Derivatives(
+        kernel.Feature(map.feature(k)), map.Relative(k, position), &unused, &by_position);
     const double weight = NeighborWeight(neighbors.squared_distance[i], softening);
-    const Eigen::Vector3d weight_gradient =
-        -2.0 * weight * weight * (position - point.position);
+    const Eigen::Vector3d weight_gradient = -2.0 * weight * weight * (position - point.position);
     result.value += weight * distance;
     result.gradient +=
         weight * (point.orientation.conjugate() * by_position) + distance * weight_gradient;

@@ -48,9 +48,8 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecod
       surface.sdf = field.value;
       surface.support = field.support;
       const double slope = field.gradient.norm();
-      surface.normal = slope > 1e-6
-                           ? Eigen::Vector3d(field.gradient / slope)
-                           : point.orientation.conjugate() * Eigen::Vector3d::UnitZ();
+      surface.normal = slope > 1e-6 ? Eigen::Vector3d(field.gradient / slope)
+                                    : point.orientation.conjugate() * Eigen::Vector3d::UnitZ();
       result.push_back(surface);
     }
   });
@@ -83,7 +82,8 @@ std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
                                          const SdfDecoder& decoder,
                                          const SurfaceOptions& options) {
   std::vector<SurfacePoint> surface;
-  if (options.criterion == SurfaceOptions::Criterion::kDensity) return DensestPoints(map, decoder, options);
+  if (options.criterion == SurfaceOptions::Criterion::kDensity)
+    return DensestPoints(map, decoder, options);
   for (SurfacePoint point : EvaluatePoints(map, decoder)) {
     if (!(point.support >= options.min_support)) continue;
     if (!options.soft && !(std::abs(point.sdf) <= options.threshold)) continue;

@@ -53,8 +53,7 @@ const char* ToString(OdometryResult::Status status) {
 
 class Odometry::Impl {
  public:
-  explicit Impl(const OdometryOptions& options)
-      : options_(options), submap_(MakeSubmap(options)) {
+  explicit Impl(const OdometryOptions& options) : options_(options), submap_(MakeSubmap(options)) {
     std::string error;
     CHECK(options.IsValid(&error)) << error;
   }

@@ -166,8 +166,7 @@ class SdfSubmap : public Submap {
     if (mode_ == Mode::kBypass) return;
     ++num_keyframes_;
     if (mode_ == Mode::kSurface && options_.sdf_submap.handover_scans > 0) AppendRaw(keyframe);
-    const auto policy =
-        options_.num_threads > 1 ? std::launch::async : std::launch::deferred;
+    const auto policy = options_.num_threads > 1 ? std::launch::async : std::launch::deferred;
     pending_ = std::async(policy, [worker = worker_.get(), keyframe = std::move(keyframe)] {
       return worker->Add(keyframe);
     });

@@ -27,7 +27,8 @@ struct SdfSubmapOptions {
   int bypass_keyframes = 5;
   double bypass_neighbors = 5.0;
 
-  // Share by which a Gaussian is flattened along the normal: S' = (I - a n n^T) S (I - a n n^T) [-].
+  // Share by which a Gaussian is flattened along the normal: S' = (I - a n n^T) S (I - a n n^T)
+  // [-].
   double flatten = 0.0;
 
   std::vector<OptionField> Fields();

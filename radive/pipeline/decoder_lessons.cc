@@ -16,7 +16,7 @@ constexpr int kKeyframes = 24;
 constexpr double kKeyframeDistance = 2.0;  // [m]
 constexpr double kDriveOffset = 5000.0;    // between the drives in the map [m]
 constexpr double kMaxRange = 60.0;         // [m]
-constexpr int kLessonEvery = 3;           // keyframes
+constexpr int kLessonEvery = 3;            // keyframes
 constexpr std::size_t kOwnersPerLesson = 100;
 
 struct DriveLesson {
@@ -79,8 +79,8 @@ void AddDrive(const DriveLesson& drive,
     const std::vector<int> seen = lessons->map.AddKeyframe(returns, index);
     InitialisePoints(&lessons->map, seen, labels, index);
     if (++index % kLessonEvery == 0) {
-      for (const SdfSample& sample :
-           DrawSamples(lessons->map, Region(lessons->map, seen, &random), labels, index, training)) {
+      for (const SdfSample& sample : DrawSamples(
+               lessons->map, Region(lessons->map, seen, &random), labels, index, training)) {
         lessons->samples.push_back(sample);
       }
     }

@@ -19,8 +19,8 @@ struct DecoderLessons {
 };
 
 // Lessons from simulated streets, driven at the true poses with a dense and with a sparse radar:
-// three drives of 24 keyframes each, static returns without noise. Later keyframes see surfaces from more
-// scans, so samples come from all ages of a map. `map_options.decoder` is not used.
+// three drives of 24 keyframes each, static returns without noise. Later keyframes see surfaces
+// from more scans, so samples come from all ages of a map. `map_options.decoder` is not used.
 DecoderLessons MakeDecoderLessons(const NeuralMapOptions& map_options,
                                   const SdfTrainingOptions& training,
                                   int seed);

@@ -15,8 +15,8 @@ SdfDecoder TrainNewDecoder(
     const DecoderTrainingOptions& options,
     NeuralPoints* map,
     const std::function<void(const std::string& phase, double rms)>& report) {
-  SdfDecoder decoder = RandomDecoder(
-      map->options().feature_dim, options.hidden, options.activation, options.seed);
+  SdfDecoder decoder =
+      RandomDecoder(map->options().feature_dim, options.hidden, options.activation, options.seed);
   const auto tell = [&](const std::string& phase) {
     if (report) report(phase, LabelRms(samples, *map, decoder));
   };

@@ -28,11 +28,10 @@ struct DecoderTrainingOptions {
 // Trains a decoder from random weights on the samples of a map whose points have their first
 // features, alternating between decoder and features; the features of the map change with it.
 // `report` is told the label rms [m] after each phase; it may be empty.
-SdfDecoder TrainNewDecoder(
-    const std::vector<SdfSample>& samples,
-    const SdfTrainingOptions& training,
-    const DecoderTrainingOptions& options,
-    NeuralPoints* map,
-    const std::function<void(const std::string& phase, double rms)>& report);
+SdfDecoder TrainNewDecoder(const std::vector<SdfSample>& samples,
+                           const SdfTrainingOptions& training,
+                           const DecoderTrainingOptions& options,
+                           NeuralPoints* map,
+                           const std::function<void(const std::string& phase, double rms)>& report);
 
 }  // namespace radive

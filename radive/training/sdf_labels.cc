@@ -60,10 +60,8 @@ struct SdfLabels::Tree {
                       int count,
                       std::array<std::uint32_t, kMaxLabelPoints>* found,
                       std::array<double, kMaxLabelPoints>* squared_distance) const {
-    return index.knnSearch(position.data(),
-                           static_cast<std::size_t>(count),
-                           found->data(),
-                           squared_distance->data());
+    return index.knnSearch(
+        position.data(), static_cast<std::size_t>(count), found->data(), squared_distance->data());
   }
 
   const Cloud cloud;

@@ -30,15 +30,14 @@ std::vector<SdfSample> DrawSamples(const NeuralPoints& map,
   samples.reserve(owners.size() * static_cast<std::size_t>(options.samples_per_point));
   for (const int owner : owners) {
     const NeuralPoint& point = map.point(owner);
-    Random random(MixSeed(static_cast<std::uint64_t>(options.seed),
-                          static_cast<std::uint64_t>(index),
-                          point.cell));
+    Random random(MixSeed(
+        static_cast<std::uint64_t>(options.seed), static_cast<std::uint64_t>(index), point.cell));
     for (int i = 0; i < options.samples_per_point; ++i) {
       SdfSample sample;
       sample.owner = owner;
       for (int axis = 0; axis < 3; ++axis) {
-        sample.position[axis] = point.position[axis] +
-                                random.Uniform(-options.sample_extent, options.sample_extent);
+        sample.position[axis] =
+            point.position[axis] + random.Uniform(-options.sample_extent, options.sample_extent);
       }
       sample.neighbors = map.Nearest(sample.position);
       if (sample.neighbors.count == 0) continue;
@@ -72,7 +71,8 @@ void InitialisePoints(NeuralPoints* map,
     const std::optional<LocalPlane> plane = labels.PlaneAt(point.position);
     if (!plane) continue;
     if (map->options().orientation == NeuralMapOptions::Orientation::kNormal) {
-      point.orientation = Eigen::Quaterniond::FromTwoVectors(plane->normal, Eigen::Vector3d::UnitZ());
+      point.orientation =
+          Eigen::Quaterniond::FromTwoVectors(plane->normal, Eigen::Vector3d::UnitZ());
     }
     const std::vector<double> feature = FirstFeature(
         map->options(), plane->normal.dot(point.position - plane->point), plane->normal);

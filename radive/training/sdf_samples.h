@@ -22,8 +22,8 @@ struct SdfSample {
 
 // Samples about the neural points `owners`, uniform in a cube around each (paper, section "Surface
 // Point Extraction"), with their labels and neighbours. Those of an owner depend on the seed, on
-// `index` (of the keyframe) and on the owner's cell alone. Samples without label, with a label of no
-// weight or without neighbours are left out. Ordered by owner as `owners` is.
+// `index` (of the keyframe) and on the owner's cell alone. Samples without label, with a label of
+// no weight or without neighbours are left out. Ordered by owner as `owners` is.
 std::vector<SdfSample> DrawSamples(const NeuralPoints& map,
                                    const std::vector<int>& owners,
                                    const SdfLabels& labels,

@@ -25,9 +25,8 @@ namespace {
 
 bool IsFeatureFinite(const NeuralPoints& map, int k) {
   const double* feature = map.feature(k);
-  return std::all_of(feature, feature + map.options().feature_dim, [](double x) {
-    return std::isfinite(x);
-  });
+  return std::all_of(
+      feature, feature + map.options().feature_dim, [](double x) { return std::isfinite(x); });
 }
 
 bool AreFeaturesFinite(const NeuralPoints& map, const SdfSample& sample) {
@@ -173,8 +172,8 @@ class FeatureProblem {
     for (std::size_t i = 0; i < neighbors.size(); ++i) {
       const int k = sample.neighbors.index[i];
       if (!is_free_[static_cast<std::size_t>(k)]) {
-        entry.target -= neighbors[i].weight *
-                        kernel_.Value(kernel_.Feature(map_->feature(k)), neighbors[i].d);
+        entry.target -=
+            neighbors[i].weight * kernel_.Value(kernel_.Feature(map_->feature(k)), neighbors[i].d);
         continue;
       }
       int block = BlockOf(k);

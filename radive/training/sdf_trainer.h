@@ -17,7 +17,7 @@ struct TrainingResult {
   int num_samples = 0;
   int num_free_points = 0;
   int num_iterations = 0;  // Levenberg-Marquardt steps
-  bool usable = true;  // false: nothing was changed
+  bool usable = true;      // false: nothing was changed
 };
 
 // Fits the features of the points `free` (ascending) to the samples, decoder and all other features

@@ -61,15 +61,15 @@ TEST(SdfFitFactor, AutodiffMatchesNumericForAllBlocks) {
     const std::unique_ptr<ceres::CostFunction> cost(
         SdfFitFactor::Create(decoder, 0.5, SomeNeighbors(), 0.2, 0.1));
     ExpectJacobiansMatchDifferences(*cost, blocks);
-    const std::unique_ptr<ceres::CostFunction> eikonal(EikonalFactor::Create(
-        decoder,
-        0.5,
-        {{{0.2, 0.1, 0.3}, QuaternionFromRotationVector({0.1, 0.5, 0.2})},
-         {{-0.3, 0.1, 0.1}, QuaternionFromRotationVector({0.7, 0.1, 0.0})},
-         {{0.0, -0.4, 0.2}, Eigen::Quaterniond::Identity()}},
-        0.3,
-        0.25,
-        0.5));
+    const std::unique_ptr<ceres::CostFunction> eikonal(
+        EikonalFactor::Create(decoder,
+                              0.5,
+                              {{{0.2, 0.1, 0.3}, QuaternionFromRotationVector({0.1, 0.5, 0.2})},
+                               {{-0.3, 0.1, 0.1}, QuaternionFromRotationVector({0.7, 0.1, 0.0})},
+                               {{0.0, -0.4, 0.2}, Eigen::Quaterniond::Identity()}},
+                              0.3,
+                              0.25,
+                              0.5));
     ExpectJacobiansMatchDifferences(*eikonal, blocks);
   }
 }
@@ -143,7 +143,8 @@ void ExpectCostMatchesFactors(SdfDecoder::Activation activation) {
     const std::unique_ptr<ceres::CostFunction> factor(
         SdfFitFactor::Create(decoder, 0.5, neighbors[at], 0.1 * s, 1.0 / (4.0 + s)));
     std::vector<const double*> factor_blocks;
-    for (int k = 0; k < 3; ++k) factor_blocks.push_back(blocks[static_cast<std::size_t>((s + k) % num_blocks)]);
+    for (int k = 0; k < 3; ++k)
+      factor_blocks.push_back(blocks[static_cast<std::size_t>((s + k) % num_blocks)]);
     factor_blocks.push_back(decoder.parameters().data());
     double residual = 0.0;
     std::vector<std::vector<double>> expected(3, std::vector<double>(kDim));

@@ -52,7 +52,8 @@ TEST(NeuralPoints, OnePointACellWithMeanAndCertainty) {
 TEST(NeuralPoints, ReturnsThatAreNoNumbersOrWeighNothingAreLeftOut) {
   NeuralPoints map((NeuralMapOptions()));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(map.AddKeyframe({ReturnAt(nan, 1.0), ReturnAt(1.0, 0.0), ReturnAt(1.0, nan)}, 0).empty());
+  EXPECT_TRUE(
+      map.AddKeyframe({ReturnAt(nan, 1.0), ReturnAt(1.0, 0.0), ReturnAt(1.0, nan)}, 0).empty());
   EXPECT_TRUE(map.AddKeyframe({}, 1).empty());
   EXPECT_EQ(map.size(), 0);
   EXPECT_EQ(map.Nearest({0, 0, 0}).count, 0);
@@ -103,7 +104,8 @@ TEST(NeuralPoints, FieldMovesWithTheMap) {
   NeuralPoints map = RandomMap(options, 60, 1.2, 3);
   const SdfDecoder decoder = RandomizedDecoder(4, 16, SdfDecoder::Activation::kSoftsign, 4);
   const DecoderKernel<4, 16> kernel(decoder, options.resolution);
-  const std::vector<Eigen::Vector3d> places = {{0.1, 0.2, -0.3}, {0.5, -0.4, 0.3}, {-0.6, 0.1, 0.6}};
+  const std::vector<Eigen::Vector3d> places = {
+      {0.1, 0.2, -0.3}, {0.5, -0.4, 0.3}, {-0.6, 0.1, 0.6}};
   std::vector<SdfValue> before;
   for (const Eigen::Vector3d& place : places) before.push_back(QuerySdf(map, kernel, place));
   const Rigid3 T_new_old(QuaternionFromRotationVector({0.3, -0.8, 1.1}), {20.0, -7.0, 3.0});
@@ -125,9 +127,9 @@ TEST(SdfQuery, GradientAgreesWithDifferences) {
   const SdfValue at = QuerySdf(map, kernel, place);
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d shift = 1e-6 * Eigen::Vector3d::Unit(k);
-    const double slope = (QuerySdf(map, kernel, place + shift).value -
-                          QuerySdf(map, kernel, place - shift).value) /
-                         2e-6;
+    const double slope =
+        (QuerySdf(map, kernel, place + shift).value - QuerySdf(map, kernel, place - shift).value) /
+        2e-6;
     EXPECT_NEAR(at.gradient[k], slope, 1e-6);
   }
 }

@@ -45,7 +45,8 @@ TEST(SdfDecoder, KernelAgreesWithTheDecoderInAllSizes) {
            {SdfDecoder::Activation::kSoftsign, SdfDecoder::Activation::kRelu}) {
         const SdfDecoder decoder = RandomizedDecoder(dim, hidden, activation, dim + hidden);
         std::vector<double> feature(static_cast<std::size_t>(dim));
-        for (std::size_t i = 0; i < feature.size(); ++i) feature[i] = 0.3 - 0.2 * static_cast<double>(i);
+        for (std::size_t i = 0; i < feature.size(); ++i)
+          feature[i] = 0.3 - 0.2 * static_cast<double>(i);
         const Eigen::Vector3d d(0.4, -0.3, 0.2);
         WithDecoderKernel(decoder, 0.4, [&](const auto& kernel) {
           const auto part = kernel.Feature(feature.data());

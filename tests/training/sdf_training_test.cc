@@ -98,7 +98,7 @@ std::pair<double, double> LearnedErrors(const Scene& scene, NeuralMapOptions map
   SdfTrainingOptions training;
   training.label_points = 8;
   training.label_clamp = 2.0;
-  training.samples_per_point = 16;
+  training.samples_per_point = 32;
   training.sample_extent = 0.4;
   training.label_sigma = 0.02;
   training.solver.max_iterations = 20;
@@ -137,7 +137,7 @@ TEST(SdfTraining, LearnsAPlane) {
 TEST(SdfTraining, LearnsACorner) {
   Scene scene;
   std::vector<Eigen::Vector3d> points;
-  for (double z = -1.0; z <= 1.0; z += 0.1) {
+  for (double z = -1.0; z <= 1.0; z += 0.05) {
     for (double s = 0.0; s <= 2.0; s += 0.05) {
       points.emplace_back(5.0, s, z);
       points.emplace_back(5.0 + s, 0.0, z);
@@ -161,29 +161,29 @@ TEST(SdfTraining, LearnsACorner) {
   EXPECT_LT(LearnedErrors(scene, options).first, 0.03);
 }
 
-// A round pole of 0.5 m radius, a quarter of it seen from each of four sides.
+// A round pole of 0.3 m radius, a quarter of it seen from each of four sides.
 TEST(SdfTraining, LearnsAPole) {
   Scene scene;
   for (int side = 0; side < 4; ++side) {
     const double middle = 1.5707963 * side;
     std::vector<Eigen::Vector3d> points;
-    for (double z = -1.0; z <= 1.0; z += 0.1) {
-      for (double angle = middle - 0.8; angle <= middle + 0.8; angle += 0.05) {
-        points.emplace_back(0.5 * std::cos(angle), 0.5 * std::sin(angle), z);
+    for (double z = -1.0; z <= 1.0; z += 0.05) {
+      for (double angle = middle - 0.8; angle <= middle + 0.8; angle += 0.15) {
+        points.emplace_back(0.3 * std::cos(angle), 0.3 * std::sin(angle), z);
       }
     }
     scene.keyframes.push_back(
         {{8.0 * std::cos(middle), 8.0 * std::sin(middle), 0.0}, ReturnsAt(points)});
   }
-  scene.distance = [](const Eigen::Vector3d& p) { return p.head<2>().norm() - 0.5; };
+  scene.distance = [](const Eigen::Vector3d& p) { return p.head<2>().norm() - 0.3; };
   Random random(3);
   while (scene.near_surface.size() < 300) {
-    const double angle = random.Uniform(0.0, 6.28), r = random.Uniform(0.2, 0.8);
+    const double angle = random.Uniform(0.0, 6.28), r = random.Uniform(0.1, 0.6);
     scene.near_surface.emplace_back(
         r * std::cos(angle), r * std::sin(angle), random.Uniform(-0.6, 0.6));
   }
   NeuralMapOptions options;
-  options.resolution = 0.3;
+  options.resolution = 0.2;
   options.softening = 0.05;
   EXPECT_LT(LearnedErrors(scene, options).first, 0.03);
 }
@@ -192,7 +192,8 @@ TEST(SdfTraining, LearnsAPole) {
 TEST(SdfTraining, LowersTheHeldOutErrorAndLeavesOtherFeaturesAlone) {
   std::vector<Eigen::Vector3d> points;
   for (double y = -3.0; y <= 3.0; y += 0.1) {
-    for (double z = -1.0; z <= 1.0; z += 0.1) points.emplace_back(5.0 + 0.3 * std::sin(2.0 * y), y, z);
+    for (double z = -1.0; z <= 1.0; z += 0.1)
+      points.emplace_back(5.0 + 0.3 * std::sin(2.0 * y), y, z);
   }
   NeuralPoints map((NeuralMapOptions()));
   const std::vector<int> seen = map.AddKeyframe(ReturnsAt(points), 0);
