@@ -159,6 +159,8 @@ TEST(LoadRunConfig, ReadsTheDecoderFile) {
   EXPECT_EQ(config->odometry.neural_map.decoder->feature_dim(), 4);
   EXPECT_THAT(ErrorOfSet("neural_map.feature_dim=8,neural_map.decoder_file=" + file),
               HasSubstr("feature_dim is 8"));
+  EXPECT_THAT(ErrorOfSet("neural_map.feature_dim=8,neural_map.orientation=identity"),
+              HasSubstr("no such decoder is built in"));
   EXPECT_THAT(ErrorOfSet("neural_map.feature_dim=6"), HasSubstr("must be 4 or 8, is 6"));
   EXPECT_THAT(ErrorOfSet("neural_map.decoder_file=nowhere.txt"),
               HasSubstr("nowhere.txt: cannot read the decoder file"));
