@@ -349,7 +349,9 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   const double dt =
       is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
+  const Stopwatch handover_stopwatch;
   submap_->NextScan();
+  result.times_ms.submap = handover_stopwatch.Milliseconds();
   for (std::string& note : submap_->TakeNotes()) notes_.push_back(std::move(note));
   vehicle_->Advance(dt);
   FilteredScan filtered = Filter(scan, &result);
@@ -410,7 +412,7 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   if (result.status == OdometryResult::Status::kRegistered && IsKeyframe(T_world_radar_)) {
     AddKeyframe(std::move(filtered), &result);
   }
-  result.times_ms.submap = submap_stopwatch.Milliseconds();
+  result.times_ms.submap += submap_stopwatch.Milliseconds();
   result.times_ms.total = stopwatch.Milliseconds();
   return result;
 }
