@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -198,6 +199,33 @@ bool ApplySet(const std::string& set_text, Stages* stages, std::string* error) {
   return true;
 }
 
+bool ReadText(const std::string& path,
+              const std::string& what,
+              std::string* text,
+              std::string* error) {
+  std::error_code ignored;
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path, ignored)) {
+    *error =
+        path + ": cannot read the " + what + ": " + (file ? "is a folder" : std::strerror(errno));
+    return false;
+  }
+  std::stringstream buffer;
+  buffer << file.rdbuf();
+  *text = buffer.str();
+  return true;
+}
+
+// Reads the file that neural_map.decoder_file names.
+bool ReadDecoder(NeuralMapOptions* options, std::string* error) {
+  if (options->decoder_file.empty()) return true;
+  std::string text;
+  if (!ReadText(options->decoder_file, "decoder file", &text, error)) return false;
+  const auto decoder = SdfDecoder::FromText(text, options->decoder_file, error);
+  if (decoder) options->decoder = std::make_shared<const SdfDecoder>(*decoder);
+  return decoder.has_value();
+}
+
 }  // namespace
 
 std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
@@ -217,7 +245,10 @@ std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
     *error = PlaceOf(place, exception.mark) + "not valid YAML: " + exception.msg;
     return std::nullopt;
   }
-  if (!ApplySet(set_text, &stages, error) || !config.IsValid(error)) return std::nullopt;
+  if (!ApplySet(set_text, &stages, error) || !ReadDecoder(&config.odometry.neural_map, error) ||
+      !config.IsValid(error)) {
+    return std::nullopt;
+  }
   return config;
 }
 
@@ -226,16 +257,7 @@ std::optional<RunConfig> LoadRunConfig(const std::string& yaml_path,
                                        std::string* error) {
   std::string yaml_text;
   if (!yaml_path.empty()) {
-    std::error_code ignored;
-    std::ifstream file(yaml_path);
-    if (!file || std::filesystem::is_directory(yaml_path, ignored)) {
-      *error = yaml_path + ": cannot read the configuration file: " +
-               (file ? "is a folder" : std::strerror(errno));
-      return std::nullopt;
-    }
-    std::stringstream buffer;
-    buffer << file.rdbuf();
-    yaml_text = buffer.str();
+    if (!ReadText(yaml_path, "configuration file", &yaml_text, error)) return std::nullopt;
   }
   return ParseRunConfig(yaml_text, yaml_path, set_text, error);
 }

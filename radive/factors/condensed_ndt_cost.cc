@@ -114,13 +114,14 @@ CondensedNdtCost::CondensedNdtCost(const std::vector<Gaussian3>& scan,
     target.yy = b.covariance(1, 1);
     target.yz = b.covariance(1, 2);
     target.zz = b.covariance(2, 2);
-    target.depth = a.weight;
-    target.factor = a.weight;
+    const double weight = a.weight * b.confidence;
+    target.depth = weight;
+    target.factor = weight;
     if (normalisation == NdtNormalisation::kPaper) {
       constexpr double kTwoPiCubed = 248.05021344239853;
       const double bound = NdtPairFactor::DeterminantBound(a.covariance, b.covariance);
-      target.depth = a.weight / std::sqrt(kTwoPiCubed * bound);
-      target.factor = a.weight / std::sqrt(kTwoPiCubed);
+      target.depth = weight / std::sqrt(kTwoPiCubed * bound);
+      target.factor = weight / std::sqrt(kTwoPiCubed);
     }
     offset_ += target.depth;
     targets_.push_back(target);

@@ -13,7 +13,11 @@ struct Gaussian3 {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();            // [m]
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  // [m^2], positive definite
   double weight = 1.0;                                       // mean point weight [-], in (0, 1]
-  int count = 1;                                             // points it stands for
+
+  // How far a submap trusts it: scales the cost of its pairs [-], in [0, 1].
+  double confidence = 1.0;
+
+  int count = 1;  // points it stands for
 };
 
 }  // namespace radive

@@ -49,8 +49,7 @@ const char* ToString(OdometryResult::Status status) {
 
 class Odometry::Impl {
  public:
-  explicit Impl(const OdometryOptions& options)
-      : options_(options), submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
+  explicit Impl(const OdometryOptions& options) : options_(options), submap_(MakeSubmap(options)) {
     std::string error;
     CHECK(options.IsValid(&error)) << error;
   }
@@ -290,6 +289,10 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   const double dt =
       is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
 
+  const Stopwatch handover_stopwatch;
+  submap_->NextScan();
+  result.times_ms.submap = handover_stopwatch.Milliseconds();
+  for (std::string& note : submap_->TakeNotes()) notes_.push_back(std::move(note));
   vehicle_->Advance(dt);
   NoteMissingDoppler(scan);
   FilteredScan filtered = filter_->Filter(scan, &result);
@@ -348,7 +351,7 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
 
   const Stopwatch submap_stopwatch;
   if (IsKeyframe(result)) AddKeyframe(std::move(filtered), &result);
-  result.times_ms.submap = submap_stopwatch.Milliseconds();
+  result.times_ms.submap += submap_stopwatch.Milliseconds();
   result.times_ms.total = stopwatch.Milliseconds();
   return result;
 }

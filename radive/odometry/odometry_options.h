@@ -10,12 +10,16 @@
 #include "radive/ego_velocity/ego_velocity_options.h"
 #include "radive/ndt/distance_bounded_pairs.h"
 #include "radive/ndt/ndt_options.h"
+#include "radive/neural_map/neural_map_options.h"
+#include "radive/neural_map/surface_options.h"
 #include "radive/odometry/motion_options.h"
+#include "radive/odometry/sdf_submap_options.h"
 #include "radive/odometry/submap_options.h"
 #include "radive/preprocessing/occlusion_options.h"
 #include "radive/preprocessing/preprocessing_options.h"
 #include "radive/registration/registration_options.h"
 #include "radive/sensor/sensor_options.h"
+#include "radive/training/sdf_training_options.h"
 #include "radive/util/option_field.h"
 
 namespace radive {
@@ -31,6 +35,12 @@ struct OdometryOptions {
   RegistrationOptions registration;
   MotionOptions motion;
   SubmapOptions submap;
+
+  // With submap.type sdf:
+  SdfSubmapOptions sdf_submap;
+  NeuralMapOptions neural_map;
+  SdfTrainingOptions training;
+  SurfaceOptions surface;
 
   // Threads for the parallel parts; results do not depend on it.
   int num_threads = 1;

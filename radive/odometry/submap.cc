@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "radive/ndt/gaussian_builder.h"
+#include "radive/odometry/sdf_submap.h"
 
 namespace radive {
 namespace {
@@ -83,10 +84,16 @@ class RawSubmap : public Submap {
 
 }  // namespace
 
-std::unique_ptr<Submap> MakeSubmap(const SubmapOptions& options,
-                                   const NdtOptions& ndt,
-                                   const SensorOptions& sensor) {
+std::unique_ptr<Submap> MakeRawSubmap(const SubmapOptions& options,
+                                      const NdtOptions& ndt,
+                                      const SensorOptions& sensor) {
   return std::make_unique<RawSubmap>(options, ndt, sensor);
+}
+
+std::unique_ptr<Submap> MakeSubmap(const OdometryOptions& options) {
+  return options.submap.type == SubmapOptions::Type::kSdf
+             ? MakeSdfSubmap(options)
+             : MakeRawSubmap(options.submap, options.ndt, options.sensor);
 }
 
 }  // namespace radive

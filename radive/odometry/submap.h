@@ -5,12 +5,14 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "radive/geometry/gaussian3.h"
 #include "radive/geometry/rigid3.h"
 #include "radive/ndt/distance_bounded_pairs.h"
 #include "radive/ndt/ndt_options.h"
+#include "radive/odometry/odometry_options.h"
 #include "radive/odometry/submap_options.h"
 #include "radive/sensor/radar_scan.h"
 #include "radive/sensor/sensor_options.h"
@@ -36,13 +38,24 @@ class Submap {
   // Forgets all keyframes.
   virtual void Clear() = 0;
 
+  // Called once before each scan: what is prepared beside registration is handed over by their
+  // count.
+  virtual void NextScan() {}
+
+  // Remarks worth a line in the log; cleared by the call.
+  virtual std::vector<std::string> TakeNotes() { return {}; }
+
   // Search over the Gaussians of the submap, world frame; nullptr before the first keyframe. Valid
   // until the next change.
   virtual const PairSearch* search() const = 0;
 };
 
-std::unique_ptr<Submap> MakeSubmap(const SubmapOptions& options,
-                                   const NdtOptions& ndt,
-                                   const SensorOptions& sensor);
+// The points of the last keyframes, as they were measured.
+std::unique_ptr<Submap> MakeRawSubmap(const SubmapOptions& options,
+                                      const NdtOptions& ndt,
+                                      const SensorOptions& sensor);
+
+// The submap that options.submap.type asks for.
+std::unique_ptr<Submap> MakeSubmap(const OdometryOptions& options);
 
 }  // namespace radive

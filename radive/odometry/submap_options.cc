@@ -8,9 +8,9 @@ namespace radive {
 std::vector<OptionField> SubmapOptions::Fields() {
   return {
       {"type",
-       MakeChoice(&type, {"raw"}),
+       MakeChoice(&type, {"raw", "sdf"}),
        "-",
-       "What the submap is made of: the keyframes' points."},
+       "What the submap is made of: the keyframes' points, or the surface learned from them."},
       OptionField{"keyframe_distance", &keyframe_distance, "m", "Distance between keyframes."}
           .Above(0.0),
       OptionField{"keyframe_rotation", &keyframe_rotation, "rad", "Turn between keyframes."}.Above(

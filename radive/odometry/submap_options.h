@@ -14,6 +14,7 @@ namespace radive {
 struct SubmapOptions {
   enum class Type {
     kRaw,  // the points of the last keyframes
+    kSdf,  // surface points of a neural map of them
   };
   Type type = Type::kRaw;
 

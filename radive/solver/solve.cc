@@ -38,6 +38,8 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options,
   ceres_options.gradient_tolerance = options.gradient_tolerance;
   ceres_options.parameter_tolerance = options.parameter_tolerance;
   ceres_options.initial_trust_region_radius = options.initial_trust_region_radius;
+  ceres_options.max_linear_solver_iterations = options.max_linear_iterations;
+  ceres_options.eta = options.linear_tolerance;
   ceres_options.num_threads = options.num_threads;
   ceres_options.logging_type = ceres::SILENT;
   ceres_options.minimizer_progress_to_stdout = false;

@@ -41,6 +41,18 @@ std::vector<OptionField> SolverOptions::Fields() {
                   "-",
                   "Inverse of the first damping lambda."}
           .Above(0.0),
+      OptionField{"max_linear_iterations",
+                  &max_linear_iterations,
+                  "-",
+                  "Most conjugate gradient iterations a step (cgnr, iterative_schur)."}
+          .AtLeast(1)
+          .AtMost(100000),
+      OptionField{"linear_tolerance",
+                  &linear_tolerance,
+                  "-",
+                  "Conjugate gradients end when one more gains less than this share."}
+          .Above(0.0)
+          .AtMost(1.0),
       OptionField{"num_threads", &num_threads, "-", "Threads that evaluate residual blocks."}
           .AtLeast(1)
           .AtMost(256),

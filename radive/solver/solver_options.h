@@ -37,6 +37,12 @@ struct SolverOptions {
   // Inverse of the first Levenberg-Marquardt damping lambda [-].
   double initial_trust_region_radius = 1e4;
 
+  // kCgnr and kIterativeSchur solve for a step by conjugate gradients, preconditioned with the
+  // diagonal blocks (JACOBI): at most so many of them, and until the quadratic model gains less
+  // than this share by one more.
+  int max_linear_iterations = 500;
+  double linear_tolerance = 0.1;  // [-]
+
   int num_threads = 1;
 
   std::vector<OptionField> Fields();

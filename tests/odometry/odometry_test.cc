@@ -403,7 +403,7 @@ TEST(Submap, HoldsTheKeyframesOfItsWindowInTheWorldFrame) {
   options.num_keyframes = 3;
   NdtOptions ndt;
   SensorOptions sensor;
-  const std::unique_ptr<Submap> submap = MakeSubmap(options, ndt, sensor);
+  const std::unique_ptr<Submap> submap = MakeRawSubmap(options, ndt, sensor);
   EXPECT_EQ(submap->search(), nullptr);
   for (int k = 0; k < 5; ++k) {
     submap->AddKeyframe(MakeKeyframe(100.0 * k, 4));
@@ -423,7 +423,7 @@ TEST(Submap, HoldsTheKeyframesOfItsWindowInTheWorldFrame) {
 TEST(Submap, VoxelsAreThoseOfAllKeyframesTogether) {
   NdtOptions ndt;
   ndt.representation = NdtOptions::Representation::kVoxel;
-  const std::unique_ptr<Submap> submap = MakeSubmap(SubmapOptions(), ndt, SensorOptions());
+  const std::unique_ptr<Submap> submap = MakeRawSubmap(SubmapOptions(), ndt, SensorOptions());
   submap->AddKeyframe(MakeKeyframe(0.5, 4));  // y = 10, 11 | 12, 13 in voxels of 2 m
   EXPECT_EQ(submap->search()->submap().size(), 2u);
   submap->AddKeyframe(MakeKeyframe(1.0, 4));  // the same voxels

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "radive/neural_map/neural_points.h"
+#include "radive/neural_map/sdf_decoder.h"
+#include "radive/neural_map/surface_options.h"
+
+namespace radive {
+
+// A neural point with what the field says of it.
+struct SurfacePoint {
+  int index = 0;                                       // of the neural point
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // map frame [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // unit, to the side the sensor saw
+  double sdf = 0.0;                                    // S at the neural point [m]
+  double support = 0.0;                                // see SdfValue [-]
+  double weight = 1.0;                                 // mean return weight, faded if soft [-]
+};
+
+// S of every neural point (normal of unit length; the point's own z axis where S is flat). Points
+// whose field is not finite are left out.
+std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecoder& decoder);
+
+// The surface points: |S| <= threshold (paper, eq. of P_surf) and support >= min_support, moved and
+// weighted as `options` say. Order of the neural points.
+std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
+                                         const SdfDecoder& decoder,
+                                         const SurfaceOptions& options);
+
+}  // namespace radive

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "radive/training/sdf_training_options.h"
+
+namespace radive {
+
+// The returns of a keyframe, as labels are made from them.
+struct LabelScan {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // of the radar, map frame [m]
+  std::vector<Eigen::Vector3d> points;               // map frame [m]
+  std::vector<double> weights;                       // of the returns [-]
+};
+
+// What a training sample should learn.
+struct SdfLabel {
+  double distance = 0.0;  // signed, positive towards the radar, clamped [m]
+  double weight = 1.0;    // mean weight of the returns it comes from [-]
+};
+
+// The plane of the scan points near a position.
+struct LocalPlane {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    // weighted mean [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, towards the radar
+  double weight = 1.0;                                // mean weight [-]
+};
+
+// Labels from the points of a window of keyframes.
+class SdfLabels {
+ public:
+  // Points that are not finite or have no positive weight are left out.
+  SdfLabels(const std::vector<const LabelScan*>& window, const SdfTrainingOptions& options);
+  ~SdfLabels();
+  SdfLabels(const SdfLabels&) = delete;
+  SdfLabels& operator=(const SdfLabels&) = delete;
+
+  int num_points() const;
+
+  // Nothing when there are too few points: three for a plane, else one.
+  std::optional<SdfLabel> At(const Eigen::Vector3d& position) const;
+
+  // The plane of the `label_points` nearest scan points; nothing with fewer than three points.
+  std::optional<LocalPlane> PlaneAt(const Eigen::Vector3d& position) const;
+
+ private:
+  struct Tree;
+  const SdfTrainingOptions options_;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace radive

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/training/sdf_mapper.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+
+namespace radive {
+namespace {
+
+// Joint training puts the decoder's dense columns beside every sample: a few owners must do.
+constexpr std::size_t kMaxJointOwners = 300;
+constexpr int kJointIterations = 10;
+
+SdfDecoder FirstDecoder(const NeuralMapOptions& map, const SdfTrainingOptions& training) {
+  if (training.joint_keyframes == 0 || map.decoder != nullptr) return map.Decoder();
+  return RandomDecoder(map.feature_dim,
+                       map.feature_dim == 4 ? 16 : 32,
+                       SdfDecoder::Activation::kSoftsign,
+                       training.seed);
+}
+
+}  // namespace
+
+SdfMapper::SdfMapper(const NeuralMapOptions& map_options,
+                     const SdfTrainingOptions& training_options)
+    : training_options_(training_options),
+      map_(map_options),
+      decoder_(FirstDecoder(map_options, training_options)) {
+  std::string error;
+  CHECK(training_options.IsValid(&error)) << error;
+}
+
+TrainingResult SdfMapper::AddKeyframe(const MapKeyframe& keyframe) {
+  const int index = num_keyframes_++;
+  map_.Prune(keyframe.origin, index);
+  seen_ = map_.AddKeyframe(keyframe.returns, index);
+
+  LabelScan scan;
+  scan.origin = keyframe.origin;
+  scan.points.reserve(keyframe.returns.size());
+  scan.weights.reserve(keyframe.returns.size());
+  for (const MapReturn& entry : keyframe.returns) {
+    scan.points.push_back(entry.position);
+    scan.weights.push_back(entry.weight);
+  }
+  scans_.push_back(std::move(scan));
+  while (static_cast<int>(scans_.size()) > training_options_.label_window) scans_.pop_front();
+
+  const SdfLabels labels(Window(), training_options_);
+  InitialisePoints(&map_, seen_, labels, index);
+  const std::vector<SdfSample> samples = DrawSamples(map_, seen_, labels, index, training_options_);
+  if (index < training_options_.joint_keyframes) TrainJointly(samples);
+  return TrainFeatures(samples, seen_, decoder_, training_options_, &map_);
+}
+
+void SdfMapper::TrainJointly(const std::vector<SdfSample>& samples) {
+  // Every so many of the owners, so that all parts of the scan have a say.
+  const std::size_t step = 1 + seen_.size() / kMaxJointOwners;
+  std::vector<int> owners;
+  for (std::size_t i = 0; i < seen_.size(); i += step) owners.push_back(seen_[i]);
+  std::vector<SdfSample> chosen;
+  for (const SdfSample& sample : samples) {
+    if (std::binary_search(owners.begin(), owners.end(), sample.owner)) chosen.push_back(sample);
+  }
+  SdfTrainingOptions options = training_options_;
+  options.solver.max_iterations = kJointIterations;
+  TrainDecoder(chosen, seen_, options, &map_, &decoder_);
+}
+
+void SdfMapper::Clear() {
+  map_.Clear();
+  scans_.clear();
+  seen_.clear();
+}
+
+double SdfMapper::MedianNeighbors() const {
+  if (seen_.empty()) return 0.0;
+  std::vector<int> counts;
+  for (const int k : seen_) counts.push_back(map_.Nearest(map_.point(k).position).count);
+  const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
+  std::nth_element(counts.begin(), middle, counts.end());
+  return *middle;
+}
+
+std::vector<SdfSample> SdfMapper::HeldOutSamples(const SdfTrainingOptions& options) const {
+  const SdfLabels labels(Window(), options);
+  // No keyframe has a negative index: other draws than in training.
+  return DrawSamples(map_, seen_, labels, -1 - num_keyframes_, options);
+}
+
+std::vector<const LabelScan*> SdfMapper::Window() const {
+  std::vector<const LabelScan*> window;
+  for (const LabelScan& scan : scans_) window.push_back(&scan);
+  return window;
+}
+
+}  // namespace radive
