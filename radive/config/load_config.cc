@@ -217,7 +217,9 @@ std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
     *error = PlaceOf(place, exception.mark) + "not valid YAML: " + exception.msg;
     return std::nullopt;
   }
-  if (!ApplySet(set_text, &stages, error) || !config.IsValid(error)) return std::nullopt;
+  if (!ApplySet(set_text, &stages, error)) return std::nullopt;
+  if (config.input.radar == "all") config.odometry.motion.body = MotionOptions::Body::kVehicle;
+  if (!config.IsValid(error)) return std::nullopt;
   return config;
 }
 

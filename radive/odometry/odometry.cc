@@ -7,24 +7,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
-#include "radive/ego_velocity/ego_velocity_estimator.h"
-#include "radive/ego_velocity/velocity_discrepancy.h"
 #include "radive/ndt/gaussian_builder.h"
+#include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
 #include "radive/odometry/vehicle_model.h"
-#include "radive/preprocessing/azimuth_bin_filter.h"
-#include "radive/preprocessing/occlusion_counts.h"
-#include "radive/preprocessing/preprocess.h"
 #include "radive/registration/ndt_registration.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
 namespace {
 
-constexpr double kSecondsPerNanosecond = 1e-9;
+double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
+
+// Two radars may measure at the same time; the noise of a motion in no time at all is not zero [s].
+constexpr double kShortestInterval = 1e-3;
 
 // How much worse a prediction gets with the time that no scan was seen, beyond what the velocity's
 // covariance says: the velocity and the turning rate change meanwhile.
@@ -34,6 +34,27 @@ constexpr double kUnseenRotationRate = 0.1;   // [rad/s]
 // Standard deviation of a velocity that is carried over from the last registered motion, for want
 // of Doppler [m/s].
 constexpr double kUnknownVelocity = 1.0;
+
+std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryOptions& options) {
+  if (options.ndt.representation == NdtOptions::Representation::kPoint) {
+    return GaussiansOfReturns(
+        scan.returns, scan.weights, options.sensor, options.ndt, scan.is_planar);
+  }
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(scan.returns.size());
+  for (const RadarReturn& radar_return : scan.returns) points.push_back(radar_return.position);
+  return GaussiansOfVoxels(points, scan.weights, options.ndt);
+}
+
+// Covariance of the pose of a point that is rigidly joined to the one whose covariance is given, at
+// `lever` from it [m] (world frame): its translation moves by dt + dr x lever.
+Matrix6d CovarianceAtLever(const Matrix6d& covariance, const Eigen::Vector3d& lever) {
+  Matrix6d jacobian = Matrix6d::Identity();
+  jacobian.block<3, 3>(3, 0) << 0.0, lever.z(), -lever.y(),  //
+      -lever.z(), 0.0, lever.x(),                            //
+      lever.y(), -lever.x(), 0.0;
+  return jacobian * covariance * jacobian.transpose();
+}
 
 }  // namespace
 
@@ -54,7 +75,9 @@ const char* ToString(OdometryResult::Status status) {
 class Odometry::Impl {
  public:
   explicit Impl(const OdometryOptions& options)
-      : options_(options), submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
+      : options_(options),
+        vehicle_(options.motion),
+        submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
     std::string error;
     CHECK(options.IsValid(&error)) << error;
   }
@@ -64,162 +87,164 @@ class Odometry::Impl {
   std::vector<std::string> notes_;
 
  private:
-  // The returns that registration works with.
-  struct FilteredScan {
-    std::vector<RadarReturn> returns;
-    std::vector<double> weights;
-    bool is_planar = false;
+  // A radar of the vehicle, and what its last scan left.
+  struct Radar {
+    Radar(const OdometryOptions& options, const SensorOptions& sensor)
+        : T_vehicle_radar(sensor.T_vehicle_radar()), filter(options, sensor) {}
+
+    Rigid3 T_vehicle_radar;
+    Rigid3 T_body_radar;
+    ScanFilter filter;
+    bool has_scan = false;
+    std::int64_t stamp_ns = 0;               // of its last scan
+    Rigid3 T_world_body;                     // then
+    double usual_interval = 0.0;             // between its scans [s]
+    std::optional<Rigid3> T_world_keyframe;  // T_world_radar of its last keyframe
   };
 
   // Where the radar should be, before the scan is looked at.
   struct Prediction {
     Rigid3 T_world_radar;
-    Eigen::Vector3d v_mean = Eigen::Vector3d::Zero();  // radar frame half-way [m/s]
+    Eigen::Vector3d v_mean = Eigen::Vector3d::Zero();  // of the radar, in its frame half-way [m/s]
     bool has_doppler = false;                          // v_mean is from the ego velocity
   };
 
-  FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
-  std::vector<RadarReturn> StaticReturns(const std::vector<RadarReturn>& returns,
-                                         const Eigen::Vector3d& v_radar) const;
+  Radar* RadarOf(const RadarScan& scan);
+  // "stamp repeats" or "stamp goes back" when the scan cannot follow the last one.
+  std::string WhyOutOfOrder(const RadarScan& scan, const Radar& radar) const;
+  void NoteMissingDoppler(const RadarScan& scan);
+  // Velocity of the radar [m/s] that goes with the body's, in the radar frame.
+  Eigen::Vector3d LastVelocityOf(const Radar& radar) const {
+    return radar.T_body_radar.rotation.conjugate() *
+           (last_velocity_ + last_rate_.cross(radar.T_body_radar.translation));
+  }
   // Time up to now in which no scan was seen, beyond the usual interval [s].
-  double UnseenTime(double dt) const {
-    return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
+  static double UnseenTime(const Radar& radar, double dt) {
+    return radar.usual_interval > 0.0 ? std::max(0.0, dt - radar.usual_interval) : 0.0;
   }
   // Standard deviation of what the motion did in that time [m].
-  double UnseenSigma(double dt) const {
-    return kUnseenAcceleration * UnseenTime(dt) * UnseenTime(dt);
+  static double UnseenSigma(const Radar& radar, double dt) {
+    return kUnseenAcceleration * UnseenTime(radar, dt) * UnseenTime(radar, dt);
   }
-  Prediction Predict(const EgoVelocity& velocity, double dt) const;
-  RegistrationPriors Priors(const Prediction& prediction,
+  Prediction Predict(const Radar& radar, const EgoVelocity& velocity, double dt) const;
+  RegistrationPriors Priors(const Radar& radar,
+                            const Prediction& prediction,
                             const EgoVelocity& velocity,
-                            const RadarScan& scan,
+                            bool is_planar,
                             double dt) const;
-  void Register(const RadarScan& scan,
+  void Locate(const Radar& radar,
+              const RadarScan& scan,
+              const FilteredScan& filtered,
+              double dt,
+              OdometryResult* result);
+  void Register(const Radar& radar,
                 const FilteredScan& filtered,
                 const Prediction& prediction,
                 double dt,
                 OdometryResult* result);
-  Matrix6d PredictedCovariance(const EgoVelocity& velocity, double dt) const;
-  bool IsKeyframe(const Rigid3& T_world_radar) const;
-  void AddKeyframe(FilteredScan filtered, OdometryResult* result);
-  // A velocity to work with: measured, or the last good one, whose covariance has grown since.
-  static bool HasVelocity(const EgoVelocity& velocity) {
-    return velocity.valid || !velocity.covariance.isZero(0.0);
-  }
+  Matrix6d PredictedCovariance(const EgoVelocity& velocity, const Radar& radar, double dt) const;
+  void FollowMotion(const OdometryResult& result, double dt, Radar* radar);
+  bool IsKeyframe(const Radar& radar, const Rigid3& T_world_radar) const;
+  void AddKeyframe(FilteredScan filtered, int number, Radar* radar, OdometryResult* result);
 
   const OdometryOptions options_;
-  // For the radar that the first scan names.
-  std::optional<VehicleModel> vehicle_;
-  std::optional<EgoVelocityEstimator> ego_velocity_;
+  VehicleModel vehicle_;
   std::unique_ptr<Submap> submap_;
+  std::map<int, Radar> radars_;  // by the number that scans give
+  int first_radar_ = 0;
 
+  // The body is what the trajectory is of: the vehicle, or the radar of the first scan.
   int num_scans_ = 0;
   std::int64_t last_stamp_ns_ = 0;
-  Rigid3 T_world_radar_;                                     // of the last scan
-  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // radar frame [m/s]
-  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // radar frame [rad/s]
+  Rigid3 T_world_body_;
+  Eigen::Vector3d up_world_ = Eigen::Vector3d::UnitZ();      // the vehicle's up axis at the start
+  Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // body frame [m/s]
+  Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // body frame [rad/s]
   bool has_doppler_velocity_ = false;                        // last_velocity_ is measured
   Matrix6d covariance_ = Matrix6d::Zero();                   // of the last pose
   double time_since_registered_ = 0.0;                       // [s]
-  double usual_interval_ = 0.0;                              // between scans [s]
-  std::optional<Rigid3> T_world_keyframe_;                   // the last keyframe
   bool has_noted_doppler_ = false;
 };
 
-std::vector<RadarReturn> Odometry::Impl::StaticReturns(const std::vector<RadarReturn>& returns,
-                                                       const Eigen::Vector3d& v_radar) const {
-  const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
-  const std::vector<bool> keep =
-      KeepMask(returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio);
-  std::vector<RadarReturn> kept;
-  for (std::size_t i = 0; i < keep.size(); ++i) {
-    if (keep[i]) kept.push_back(returns[i]);
+Odometry::Impl::Radar* Odometry::Impl::RadarOf(const RadarScan& scan) {
+  const auto known = radars_.find(scan.radar);
+  if (known != radars_.end()) return &known->second;
+  Radar radar(options_, options_.sensor.ForRadar(scan.radar));
+  if (options_.motion.body == MotionOptions::Body::kVehicle) {
+    radar.T_body_radar = radar.T_vehicle_radar;
+  } else if (!radars_.empty()) {
+    const Radar& first = radars_.at(first_radar_);
+    radar.T_body_radar = first.T_vehicle_radar.Inverse() * radar.T_vehicle_radar;
   }
-  if (!options_.occlusion.enabled) return kept;
-
-  std::vector<double> azimuths, ranges;
-  for (const RadarReturn& radar_return : kept) {
-    azimuths.push_back(std::atan2(radar_return.position.y(), radar_return.position.x()));
-    ranges.push_back(radar_return.position.norm());
+  if (radars_.empty()) {
+    first_radar_ = scan.radar;
+    up_world_ = radar.T_body_radar.rotation * UpRadar(radar.T_vehicle_radar);
   }
-  const std::vector<int> counts =
-      OcclusionCounts(azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
-  std::vector<RadarReturn> visible;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
-  }
-  return visible;
+  return &radars_.emplace(scan.radar, std::move(radar)).first->second;
 }
 
-Odometry::Impl::FilteredScan Odometry::Impl::Filter(const RadarScan& scan, OdometryResult* result) {
-  Stopwatch stopwatch;
-  FilteredScan filtered;
-  filtered.is_planar = scan.is_planar;
-  filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
-  result->times_ms.preprocessing = stopwatch.Lap();
-
-  const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
-  if (use_doppler) {
-    result->ego_velocity = ego_velocity_->Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
-    // Without a velocity nothing tells static returns from moving ones.
-    filtered.returns = HasVelocity(result->ego_velocity)
-                           ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
-                           : std::vector<RadarReturn>();
-  } else if (!has_noted_doppler_) {
-    has_noted_doppler_ = true;
-    notes_.push_back(scan.has_doppler
-                         ? "ego velocity is switched off: no dynamic filter, no weights"
-                         : "scans carry no Doppler: ego velocity, dynamic filter and weights are "
-                           "off");
-  }
-  result->times_ms.ego_velocity = stopwatch.Lap();
-  filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
-  filtered.weights = use_doppler && options_.ego_velocity.weights
-                         ? DiscrepancyWeights(filtered.returns,
-                                              result->ego_velocity.v_radar,
-                                              options_.ego_velocity.discrepancy_scale)
-                         : std::vector<double>(filtered.returns.size(), 1.0);
-  result->num_kept = static_cast<int>(filtered.returns.size());
-  result->times_ms.preprocessing += stopwatch.Lap();
-  return filtered;
+std::string Odometry::Impl::WhyOutOfOrder(const RadarScan& scan, const Radar& radar) const {
+  if (num_scans_ == 0 || scan.stamp_ns > last_stamp_ns_) return "";
+  if (scan.stamp_ns < last_stamp_ns_) return "stamp goes back";
+  // Two radars may measure at the same time.
+  return radar.has_scan && scan.stamp_ns == radar.stamp_ns ? "stamp repeats" : "";
 }
 
-Odometry::Impl::Prediction Odometry::Impl::Predict(const EgoVelocity& velocity, double dt) const {
+void Odometry::Impl::NoteMissingDoppler(const RadarScan& scan) {
+  if (has_noted_doppler_ || (scan.has_doppler && options_.ego_velocity.enabled)) return;
+  has_noted_doppler_ = true;
+  notes_.push_back(scan.has_doppler
+                       ? "ego velocity is switched off: no dynamic filter, no weights"
+                       : "scans carry no Doppler: ego velocity, dynamic filter and weights are "
+                         "off");
+}
+
+Odometry::Impl::Prediction Odometry::Impl::Predict(const Radar& radar,
+                                                   const EgoVelocity& velocity,
+                                                   double dt) const {
   Prediction prediction;
-  prediction.v_mean = last_velocity_;
+  prediction.v_mean = LastVelocityOf(radar);
   prediction.has_doppler = HasVelocity(velocity);
   if (prediction.has_doppler) {
     // Trapezoid: the mean of both ends, each in its own radar frame, belongs to the frame half-way.
     prediction.v_mean = has_doppler_velocity_
-                            ? Eigen::Vector3d(0.5 * (last_velocity_ + velocity.v_radar))
+                            ? Eigen::Vector3d(0.5 * (prediction.v_mean + velocity.v_radar))
                             : velocity.v_radar;
   }
   Eigen::Vector3d rate = last_rate_;
-  if (const auto yaw_rate =
-          prediction.has_doppler ? vehicle_->YawRate(prediction.v_mean) : std::nullopt) {
-    const Eigen::Vector3d up = vehicle_->UpRadar();
+  if (const auto yaw_rate = prediction.has_doppler
+                                ? vehicle_.YawRate(radar.T_vehicle_radar, prediction.v_mean)
+                                : std::nullopt) {
+    const Eigen::Vector3d up = radar.T_body_radar.rotation * UpRadar(radar.T_vehicle_radar);
     rate += up * (*yaw_rate - up.dot(rate));
   }
+  const Eigen::Vector3d v_body =
+      radar.T_body_radar.rotation * prediction.v_mean - rate.cross(radar.T_body_radar.translation);
   const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
-  prediction.T_world_radar = {T_world_radar_.rotation * QuaternionFromRotationVector(dt * rate),
-                              T_world_radar_.translation +
-                                  T_world_radar_.rotation * (half_turn * (prediction.v_mean * dt))};
+  const Rigid3 T_world_body = {
+      T_world_body_.rotation * QuaternionFromRotationVector(dt * rate),
+      T_world_body_.translation + T_world_body_.rotation * (half_turn * (v_body * dt))};
+  prediction.T_world_radar = T_world_body * radar.T_body_radar;
   return prediction;
 }
 
-RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
+RegistrationPriors Odometry::Impl::Priors(const Radar& radar,
+                                          const Prediction& prediction,
                                           const EgoVelocity& velocity,
-                                          const RadarScan& scan,
+                                          bool is_planar,
                                           double dt) const {
   const MotionOptions& motion = options_.motion;
+  const Rigid3 T_world_radar0 = T_world_body_ * radar.T_body_radar;
   RegistrationPriors priors;
   if (prediction.has_doppler && motion.doppler_prior) {
+    const double time = std::max(dt, kShortestInterval);
     const double floor = motion.doppler_floor;
-    const double variance = dt * dt * floor * floor + UnseenSigma(dt) * UnseenSigma(dt);
+    const double unseen = UnseenSigma(radar, dt);
+    const double variance = time * time * floor * floor + unseen * unseen;
     priors.displacement = RegistrationPriors::Displacement{
-        T_world_radar_,
+        T_world_radar0,
         prediction.v_mean * dt,
-        dt * dt * velocity.covariance + variance * Eigen::Matrix3d::Identity()};
+        time * time * velocity.covariance + variance * Eigen::Matrix3d::Identity()};
   }
   if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
       prediction.v_mean.norm() < motion.low_speed_limit) {
@@ -228,42 +253,34 @@ RegistrationPriors Odometry::Impl::Priors(const Prediction& prediction,
                                         Eigen::Matrix3d::Identity() / motion.low_speed_lambda};
   }
   if (motion.rotation_sigma_rate > 0.0) {
-    const double sigma = motion.rotation_sigma_rate * dt;
+    const double sigma = motion.rotation_sigma_rate * std::max(dt, kShortestInterval);
     priors.rotation = RegistrationPriors::Rotation{prediction.T_world_radar.rotation,
                                                    sigma * sigma * Eigen::Matrix3d::Identity()};
   }
-  // The first radar frame is the world: the vehicle's up axis is the same in both.
-  const Eigen::Vector3d up = vehicle_->UpRadar();
   if (motion.attitude_sigma > 0.0 && motion.height_sigma > 0.0) {
-    priors.attitude_height = RegistrationPriors::AttitudeHeight{
-        up, up, T_world_radar_.translation, motion.attitude_sigma, motion.height_sigma};
+    priors.attitude_height = RegistrationPriors::AttitudeHeight{UpRadar(radar.T_vehicle_radar),
+                                                                up_world_,
+                                                                T_world_radar0.translation,
+                                                                motion.attitude_sigma,
+                                                                motion.height_sigma};
   }
-  priors.no_slip = vehicle_->Prior(T_world_radar_, prediction.v_mean, dt);
-  if (priors.no_slip) priors.no_slip->sigma = std::hypot(priors.no_slip->sigma, UnseenSigma(dt));
-  if (options_.registration.planar || scan.is_planar) priors.plane_normal = up;
+  priors.no_slip = vehicle_.Prior(radar.T_vehicle_radar, T_world_radar0, prediction.v_mean, dt);
+  if (priors.no_slip) {
+    priors.no_slip->sigma = std::hypot(priors.no_slip->sigma, UnseenSigma(radar, dt));
+  }
+  if (options_.registration.planar || is_planar) priors.plane_normal = up_world_;
   return priors;
 }
 
-void Odometry::Impl::Register(const RadarScan& scan,
+void Odometry::Impl::Register(const Radar& radar,
                               const FilteredScan& filtered,
                               const Prediction& prediction,
                               double dt,
                               OdometryResult* result) {
   const Stopwatch stopwatch;
-  std::vector<Gaussian3> gaussians;
-  if (options_.ndt.representation == NdtOptions::Representation::kPoint) {
-    gaussians = GaussiansOfReturns(
-        filtered.returns, filtered.weights, options_.sensor, options_.ndt, scan.is_planar);
-  } else {
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(filtered.returns.size());
-    for (const RadarReturn& radar_return : filtered.returns) {
-      points.push_back(radar_return.position);
-    }
-    gaussians = GaussiansOfVoxels(points, filtered.weights, options_.ndt);
-  }
+  const std::vector<Gaussian3> gaussians = GaussiansOfScan(filtered, options_);
   result->num_gaussians = static_cast<int>(gaussians.size());
-  const double gap = std::max(0.0, time_since_registered_ + dt - usual_interval_);
+  const double gap = std::max(0.0, time_since_registered_ + dt - radar.usual_interval);
   const double growth = options_.motion.gap_slack_rate * gap;
   const double slack = options_.pairs.slack + growth;
   RegistrationOptions registration_options = options_.registration;
@@ -274,32 +291,39 @@ void Odometry::Impl::Register(const RadarScan& scan,
                   *submap_->search(),
                   prediction.T_world_radar,
                   slack,
-                  Priors(prediction, result->ego_velocity, scan, dt),
+                  Priors(radar, prediction, result->ego_velocity, filtered.is_planar, dt),
                   options_.pairs,
                   registration_options);
   result->num_pairs = registration.num_pairs;
   result->num_iterations = registration.num_iterations;
   result->cost = registration.cost;
   result->degenerate = registration.degenerate();
-  result->covariance = registration.covariance;
   result->T_world_radar = registration.T_submap_radar;
+  const Rigid3 T_radar_body = radar.T_body_radar.Inverse();
+  result->covariance = CovarianceAtLever(registration.covariance,
+                                         result->T_world_radar.rotation * T_radar_body.translation);
   result->status = registration.converged ? OdometryResult::Status::kRegistered
                                           : OdometryResult::Status::kPredicted;
   result->reason = registration.message;
-  if (registration.converged && UnseenTime(dt) < usual_interval_) {
-    vehicle_->Update(
-        prediction.v_mean, dt, registration.lateral_residual, registration.lateral_variance);
+  if (registration.converged && UnseenTime(radar, dt) < radar.usual_interval) {
+    vehicle_.Update(radar.T_vehicle_radar,
+                    prediction.v_mean,
+                    dt,
+                    registration.lateral_residual,
+                    registration.lateral_variance);
   }
   result->times_ms.pair_search = registration.pair_search_ms;
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
 }
 
 // Of a pose that only the prediction moved: the last one's, and what the motion since adds.
-Matrix6d Odometry::Impl::PredictedCovariance(const EgoVelocity& velocity, double dt) const {
+Matrix6d Odometry::Impl::PredictedCovariance(const EgoVelocity& velocity,
+                                             const Radar& radar,
+                                             double dt) const {
   Matrix6d covariance = covariance_;
   const double sigma_rotation = kUnseenRotationRate * dt;
   covariance.topLeftCorner<3, 3>().diagonal().array() += sigma_rotation * sigma_rotation;
-  const Eigen::Matrix3d R = T_world_radar_.RotationMatrix();
+  const Eigen::Matrix3d R = (T_world_body_ * radar.T_body_radar).RotationMatrix();
   const Eigen::Matrix3d velocity_covariance =
       HasVelocity(velocity)
           ? velocity.covariance
@@ -308,16 +332,88 @@ Matrix6d Odometry::Impl::PredictedCovariance(const EgoVelocity& velocity, double
   return covariance;
 }
 
-bool Odometry::Impl::IsKeyframe(const Rigid3& T_world_radar) const {
-  if (!T_world_keyframe_) return true;
-  const Rigid3 T_keyframe_radar = T_world_keyframe_->Inverse() * T_world_radar;
+// The pose of the scan: status, reason, T_world_radar and covariance of `result`.
+void Odometry::Impl::Locate(const Radar& radar,
+                            const RadarScan& scan,
+                            const FilteredScan& filtered,
+                            double dt,
+                            OdometryResult* result) {
+  const EgoVelocity& velocity = result->ego_velocity;
+  const Prediction prediction = Predict(radar, velocity, dt);
+  // What stands now may have moved since the last pose, when that is some scans ago.
+  const bool may_have_moved = radar.usual_interval > 0.0 &&
+                              time_since_registered_ + dt > 1.5 * radar.usual_interval &&
+                              last_velocity_.norm() >= options_.ego_velocity.standing_speed;
+  if (submap_->search() == nullptr) {
+    // Nothing to register against yet: the first scan with enough returns starts the submap.
+    result->T_world_radar = prediction.T_world_radar;
+    const bool can_start =
+        static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
+    result->status =
+        can_start ? OdometryResult::Status::kRegistered : OdometryResult::Status::kPredicted;
+    if (!can_start) {
+      result->reason = std::to_string(filtered.returns.size()) + " returns left, " +
+                       std::to_string(options_.registration.min_gaussians) + " needed";
+    }
+  } else if (velocity.is_standing && !may_have_moved) {
+    result->status = OdometryResult::Status::kStanding;
+    result->reason = "standing";
+    result->T_world_radar = T_world_body_ * radar.T_body_radar;
+    result->covariance = covariance_;
+  } else {
+    Register(radar, filtered, prediction, dt, result);
+  }
+  if (result->status != OdometryResult::Status::kPredicted) return;
+  result->covariance = PredictedCovariance(velocity, radar, dt);
+  if (!velocity.valid && scan.has_doppler && options_.ego_velocity.enabled &&
+      !velocity.reason.empty()) {
+    result->reason = "ego velocity: " + velocity.reason;
+  }
+}
+
+// What the next prediction starts from. `dt`: since the last scan of any radar.
+void Odometry::Impl::FollowMotion(const OdometryResult& result, double dt, Radar* radar) {
+  const double own_dt = radar->has_scan ? Seconds(result.stamp_ns - radar->stamp_ns) : 0.0;
+  const bool has_velocity = HasVelocity(result.ego_velocity);
+  if (own_dt > 0.0) {
+    // Over the interval of one radar: that between the scans of two can be too short.
+    const Rigid3 T_last_now = radar->T_world_body.Inverse() * result.T_world_body;
+    last_rate_ = RotationVector(T_last_now.rotation) / own_dt;
+    if (!has_velocity) {
+      const Eigen::Quaterniond half_back = QuaternionFromRotationVector(-0.5 * own_dt * last_rate_);
+      last_velocity_ = half_back * T_last_now.translation / own_dt;
+    }
+    radar->usual_interval =
+        radar->usual_interval == 0.0 ? own_dt : std::min(1.1 * radar->usual_interval, own_dt);
+  }
+  if (has_velocity) {
+    last_velocity_ = radar->T_body_radar.rotation * result.ego_velocity.v_radar -
+                     last_rate_.cross(radar->T_body_radar.translation);
+  }
+  has_doppler_velocity_ = has_velocity;
+  covariance_ = result.covariance;
+  time_since_registered_ =
+      result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
+  T_world_body_ = result.T_world_body;
+  last_stamp_ns_ = result.stamp_ns;
+  radar->has_scan = true;
+  radar->stamp_ns = result.stamp_ns;
+  radar->T_world_body = result.T_world_body;
+}
+
+bool Odometry::Impl::IsKeyframe(const Radar& radar, const Rigid3& T_world_radar) const {
+  if (!radar.T_world_keyframe) return true;
+  const Rigid3 T_keyframe_radar = radar.T_world_keyframe->Inverse() * T_world_radar;
   return T_keyframe_radar.translation.norm() > options_.submap.keyframe_distance ||
          RotationVector(T_keyframe_radar.rotation).norm() > options_.submap.keyframe_rotation;
 }
 
-void Odometry::Impl::AddKeyframe(FilteredScan filtered, OdometryResult* result) {
+void Odometry::Impl::AddKeyframe(FilteredScan filtered,
+                                 int number,
+                                 Radar* radar,
+                                 OdometryResult* result) {
   result->is_keyframe = true;
-  T_world_keyframe_ = result->T_world_radar;
+  radar->T_world_keyframe = result->T_world_radar;
   result->keyframe_points.reserve(filtered.returns.size());
   for (const RadarReturn& radar_return : filtered.returns) {
     result->keyframe_points.push_back(result->T_world_radar * radar_return.position);
@@ -325,89 +421,38 @@ void Odometry::Impl::AddKeyframe(FilteredScan filtered, OdometryResult* result) 
   submap_->AddKeyframe({result->T_world_radar,
                         std::move(filtered.returns),
                         std::move(filtered.weights),
-                        filtered.is_planar});
+                        filtered.is_planar,
+                        number});
 }
 
 OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   const Stopwatch stopwatch;
+  Radar* const radar = RadarOf(scan);
   OdometryResult result;
   result.index = num_scans_++;
   result.stamp_ns = scan.stamp_ns;
   result.num_returns = static_cast<int>(scan.returns.size());
-  result.T_world_radar = T_world_radar_;
-  const bool is_first = result.index == 0;
-  if (is_first) {
-    const SensorOptions sensor = options_.sensor.ForRadar(scan.radar);
-    vehicle_.emplace(options_.motion, sensor.T_vehicle_radar());
-    ego_velocity_.emplace(options_.ego_velocity, sensor, options_.occlusion);
-  }
-  if (!is_first && scan.stamp_ns <= last_stamp_ns_) {
+  result.T_world_body = T_world_body_;
+  result.T_world_radar = T_world_body_ * radar->T_body_radar;
+  result.reason = WhyOutOfOrder(scan, *radar);
+  if (!result.reason.empty()) {
     result.status = OdometryResult::Status::kSkipped;
-    result.reason = scan.stamp_ns == last_stamp_ns_ ? "stamp repeats" : "stamp goes back";
     result.times_ms.total = stopwatch.Milliseconds();
     return result;
   }
-  const double dt =
-      is_first ? 0.0 : static_cast<double>(scan.stamp_ns - last_stamp_ns_) * kSecondsPerNanosecond;
+  const double dt = result.index == 0 ? 0.0 : Seconds(scan.stamp_ns - last_stamp_ns_);
 
-  vehicle_->Advance(dt);
-  FilteredScan filtered = Filter(scan, &result);
-  const EgoVelocity& velocity = result.ego_velocity;
-  const Prediction prediction = Predict(velocity, dt);
-  // What stands now may have moved since the last pose, when that is some scans ago.
-  const bool may_have_moved = usual_interval_ > 0.0 &&
-                              time_since_registered_ + dt > 1.5 * usual_interval_ &&
-                              last_velocity_.norm() >= options_.ego_velocity.standing_speed;
-  const bool is_standing = velocity.is_standing && !may_have_moved;
-  if (submap_->search() == nullptr) {
-    // Nothing to register against yet: the first scan with enough returns starts the submap.
-    result.T_world_radar = prediction.T_world_radar;
-    const bool can_start =
-        static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
-    result.status =
-        can_start ? OdometryResult::Status::kRegistered : OdometryResult::Status::kPredicted;
-    if (!can_start) {
-      result.reason = std::to_string(filtered.returns.size()) + " returns left, " +
-                      std::to_string(options_.registration.min_gaussians) + " needed";
-    }
-  } else if (is_standing) {
-    result.status = OdometryResult::Status::kStanding;
-    result.reason = "standing";
-  } else {
-    Register(scan, filtered, prediction, dt, &result);
-  }
-  if (result.status == OdometryResult::Status::kPredicted && !velocity.valid && scan.has_doppler &&
-      options_.ego_velocity.enabled && !velocity.reason.empty()) {
-    result.reason = "ego velocity: " + velocity.reason;
-  }
-
-  if (result.status == OdometryResult::Status::kPredicted) {
-    result.covariance = PredictedCovariance(velocity, dt);
-  } else if (result.status == OdometryResult::Status::kStanding) {
-    result.covariance = covariance_;
-  }
-  covariance_ = result.covariance;
-
-  // Motion for the next prediction.
-  if (dt > 0.0) {
-    const Rigid3 T_last_now = T_world_radar_.Inverse() * result.T_world_radar;
-    last_rate_ = RotationVector(T_last_now.rotation) / dt;
-    if (!HasVelocity(velocity)) {
-      const Eigen::Quaterniond half_back = QuaternionFromRotationVector(-0.5 * dt * last_rate_);
-      last_velocity_ = half_back * T_last_now.translation / dt;
-    }
-    usual_interval_ = usual_interval_ == 0.0 ? dt : std::min(1.1 * usual_interval_, dt);
-  }
-  if (HasVelocity(velocity)) last_velocity_ = velocity.v_radar;
-  has_doppler_velocity_ = HasVelocity(velocity);
-  time_since_registered_ =
-      result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
-  T_world_radar_ = result.T_world_radar;
-  last_stamp_ns_ = scan.stamp_ns;
+  vehicle_.Advance(dt);
+  NoteMissingDoppler(scan);
+  FilteredScan filtered = radar->filter.Filter(scan, &result);
+  Locate(*radar, scan, filtered, dt, &result);
+  result.T_world_body = result.T_world_radar * radar->T_body_radar.Inverse();
+  FollowMotion(result, dt, radar);
 
   const Stopwatch submap_stopwatch;
-  if (result.status == OdometryResult::Status::kRegistered && IsKeyframe(T_world_radar_)) {
-    AddKeyframe(std::move(filtered), &result);
+  if (result.status == OdometryResult::Status::kRegistered &&
+      IsKeyframe(*radar, result.T_world_radar)) {
+    AddKeyframe(std::move(filtered), scan.radar, radar, &result);
   }
   result.times_ms.submap = submap_stopwatch.Milliseconds();
   result.times_ms.total = stopwatch.Milliseconds();

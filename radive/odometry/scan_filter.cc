@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/odometry/scan_filter.h"
+
+#include <cmath>
+
+#include "radive/ego_velocity/velocity_discrepancy.h"
+#include "radive/preprocessing/azimuth_bin_filter.h"
+#include "radive/preprocessing/occlusion_counts.h"
+#include "radive/preprocessing/preprocess.h"
+#include "radive/util/stopwatch.h"
+
+namespace radive {
+
+std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn>& returns,
+                                                   const Eigen::Vector3d& v_radar) const {
+  const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
+  const std::vector<bool> keep =
+      KeepMask(returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio);
+  std::vector<RadarReturn> kept;
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (keep[i]) kept.push_back(returns[i]);
+  }
+  if (!options_.occlusion.enabled) return kept;
+
+  std::vector<double> azimuths, ranges;
+  for (const RadarReturn& radar_return : kept) {
+    azimuths.push_back(std::atan2(radar_return.position.y(), radar_return.position.x()));
+    ranges.push_back(radar_return.position.norm());
+  }
+  const std::vector<int> counts =
+      OcclusionCounts(azimuths, ranges, std::vector<bool>(kept.size(), true), options_.occlusion);
+  std::vector<RadarReturn> visible;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
+  }
+  return visible;
+}
+
+FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
+  Stopwatch stopwatch;
+  FilteredScan filtered;
+  filtered.is_planar = scan.is_planar;
+  filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
+  result->times_ms.preprocessing = stopwatch.Lap();
+
+  const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
+  if (use_doppler) {
+    result->ego_velocity = ego_velocity_.Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
+    // Without a velocity nothing tells static returns from moving ones.
+    filtered.returns = HasVelocity(result->ego_velocity)
+                           ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
+                           : std::vector<RadarReturn>();
+  }
+  result->times_ms.ego_velocity = stopwatch.Lap();
+  filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
+  filtered.weights = use_doppler && options_.ego_velocity.weights
+                         ? DiscrepancyWeights(filtered.returns,
+                                              result->ego_velocity.v_radar,
+                                              options_.ego_velocity.discrepancy_scale)
+                         : std::vector<double>(filtered.returns.size(), 1.0);
+  result->num_kept = static_cast<int>(filtered.returns.size());
+  result->times_ms.preprocessing += stopwatch.Lap();
+  return filtered;
+}
+
+}  // namespace radive
