@@ -77,6 +77,11 @@ std::vector<OptionField> MotionOptions::Fields() {
                   "m/s",
                   "Widening of pairs.slack with time since the last registered scan."}
           .AtLeast(0.0),
+      OptionField{"restart_time",
+                  &restart_time,
+                  "s",
+                  "Time without registration after which keyframes are added at predicted poses."}
+          .AtLeast(0.0),
   };
 }
 

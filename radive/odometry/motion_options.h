@@ -52,6 +52,9 @@ struct MotionOptions {
   // usual scan interval [m/s].
   double gap_slack_rate = 1.0;
 
+  // Time without registration [s] after which the submap goes on with keyframes at predicted poses.
+  double restart_time = 1.0;
+
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const { return CheckOptions("motion", *this, error); }
 };

@@ -74,10 +74,7 @@ const char* ToString(OdometryResult::Status status) {
 
 class Odometry::Impl {
  public:
-  explicit Impl(const OdometryOptions& options)
-      : options_(options),
-        vehicle_(options.motion),
-        submap_(MakeSubmap(options.submap, options.ndt, options.sensor)) {
+  explicit Impl(const OdometryOptions& options) : options_(options), vehicle_(options.motion) {
     std::string error;
     CHECK(options.IsValid(&error)) << error;
   }
@@ -90,14 +87,20 @@ class Odometry::Impl {
   // A radar of the vehicle, and what its last scan left.
   struct Radar {
     Radar(const OdometryOptions& options, const SensorOptions& sensor)
-        : T_vehicle_radar(sensor.T_vehicle_radar()), filter(options, sensor) {}
+        : T_vehicle_radar(sensor.T_vehicle_radar()),
+          filter(options, sensor),
+          submap(MakeSubmap(options.submap, options.ndt, sensor)) {}
 
     Rigid3 T_vehicle_radar;
     Rigid3 T_body_radar;
     ScanFilter filter;
+    // Of its own keyframes: what two radars measure of the same wall differs by their azimuth
+    // errors, and a scan drawn to the other's wall turns the vehicle.
+    std::unique_ptr<Submap> submap;
     bool has_scan = false;
     std::int64_t stamp_ns = 0;               // of its last scan
     Rigid3 T_world_body;                     // then
+    double time_since_registered = 0.0;      // [s]
     double usual_interval = 0.0;             // between its scans [s]
     std::optional<Rigid3> T_world_keyframe;  // T_world_radar of its last keyframe
   };
@@ -144,12 +147,11 @@ class Odometry::Impl {
                 OdometryResult* result);
   Matrix6d PredictedCovariance(const EgoVelocity& velocity, const Radar& radar, double dt) const;
   void FollowMotion(const OdometryResult& result, double dt, Radar* radar);
-  bool IsKeyframe(const Radar& radar, const Rigid3& T_world_radar) const;
-  void AddKeyframe(FilteredScan filtered, int number, Radar* radar, OdometryResult* result);
+  bool IsKeyframe(const Radar& radar, const OdometryResult& result) const;
+  void AddKeyframe(FilteredScan filtered, Radar* radar, OdometryResult* result);
 
   const OdometryOptions options_;
   VehicleModel vehicle_;
-  std::unique_ptr<Submap> submap_;
   std::map<int, Radar> radars_;  // by the number that scans give
   int first_radar_ = 0;
 
@@ -288,7 +290,7 @@ void Odometry::Impl::Register(const Radar& radar,
   registration_options.max_rotation_correction += kUnseenRotationRate * gap;
   const RegistrationResult registration =
       RegisterNdt(gaussians,
-                  *submap_->search(),
+                  *radar.submap->search(),
                   prediction.T_world_radar,
                   slack,
                   Priors(radar, prediction, result->ego_velocity, filtered.is_planar, dt),
@@ -344,9 +346,10 @@ void Odometry::Impl::Locate(const Radar& radar,
   const bool may_have_moved = radar.usual_interval > 0.0 &&
                               time_since_registered_ + dt > 1.5 * radar.usual_interval &&
                               last_velocity_.norm() >= options_.ego_velocity.standing_speed;
-  if (submap_->search() == nullptr) {
+  if (radar.submap->search() == nullptr) {
     // Nothing to register against yet: the first scan with enough returns starts the submap.
     result->T_world_radar = prediction.T_world_radar;
+    result->covariance = covariance_;
     const bool can_start =
         static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
     result->status =
@@ -375,6 +378,7 @@ void Odometry::Impl::Locate(const Radar& radar,
 void Odometry::Impl::FollowMotion(const OdometryResult& result, double dt, Radar* radar) {
   const double own_dt = radar->has_scan ? Seconds(result.stamp_ns - radar->stamp_ns) : 0.0;
   const bool has_velocity = HasVelocity(result.ego_velocity);
+  radar->time_since_registered += own_dt;
   if (own_dt > 0.0) {
     // Over the interval of one radar: that between the scans of two can be too short.
     const Rigid3 T_last_now = radar->T_world_body.Inverse() * result.T_world_body;
@@ -396,33 +400,36 @@ void Odometry::Impl::FollowMotion(const OdometryResult& result, double dt, Radar
       result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
   T_world_body_ = result.T_world_body;
   last_stamp_ns_ = result.stamp_ns;
+  if (result.status != OdometryResult::Status::kPredicted) radar->time_since_registered = 0.0;
   radar->has_scan = true;
   radar->stamp_ns = result.stamp_ns;
   radar->T_world_body = result.T_world_body;
 }
 
-bool Odometry::Impl::IsKeyframe(const Radar& radar, const Rigid3& T_world_radar) const {
+bool Odometry::Impl::IsKeyframe(const Radar& radar, const OdometryResult& result) const {
+  // Where the radar has seen nothing of its submap for long, the submap goes on at the prediction:
+  // waiting for the old one would be forever.
+  const bool is_lost = result.status == OdometryResult::Status::kPredicted &&
+                       result.num_gaussians >= options_.registration.min_gaussians &&
+                       radar.time_since_registered > options_.motion.restart_time;
+  if (result.status != OdometryResult::Status::kRegistered && !is_lost) return false;
   if (!radar.T_world_keyframe) return true;
-  const Rigid3 T_keyframe_radar = radar.T_world_keyframe->Inverse() * T_world_radar;
+  const Rigid3 T_keyframe_radar = radar.T_world_keyframe->Inverse() * result.T_world_radar;
   return T_keyframe_radar.translation.norm() > options_.submap.keyframe_distance ||
          RotationVector(T_keyframe_radar.rotation).norm() > options_.submap.keyframe_rotation;
 }
 
-void Odometry::Impl::AddKeyframe(FilteredScan filtered,
-                                 int number,
-                                 Radar* radar,
-                                 OdometryResult* result) {
+void Odometry::Impl::AddKeyframe(FilteredScan filtered, Radar* radar, OdometryResult* result) {
   result->is_keyframe = true;
   radar->T_world_keyframe = result->T_world_radar;
   result->keyframe_points.reserve(filtered.returns.size());
   for (const RadarReturn& radar_return : filtered.returns) {
     result->keyframe_points.push_back(result->T_world_radar * radar_return.position);
   }
-  submap_->AddKeyframe({result->T_world_radar,
-                        std::move(filtered.returns),
-                        std::move(filtered.weights),
-                        filtered.is_planar,
-                        number});
+  radar->submap->AddKeyframe({result->T_world_radar,
+                              std::move(filtered.returns),
+                              std::move(filtered.weights),
+                              filtered.is_planar});
 }
 
 OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
@@ -450,10 +457,7 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   FollowMotion(result, dt, radar);
 
   const Stopwatch submap_stopwatch;
-  if (result.status == OdometryResult::Status::kRegistered &&
-      IsKeyframe(*radar, result.T_world_radar)) {
-    AddKeyframe(std::move(filtered), scan.radar, radar, &result);
-  }
+  if (IsKeyframe(*radar, result)) AddKeyframe(std::move(filtered), radar, &result);
   result.times_ms.submap = submap_stopwatch.Milliseconds();
   result.times_ms.total = stopwatch.Milliseconds();
   return result;

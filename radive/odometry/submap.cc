@@ -3,7 +3,6 @@
 
 #include "radive/odometry/submap.h"
 
-#include <algorithm>
 #include <deque>
 #include <utility>
 
@@ -35,12 +34,8 @@ class RawSubmap : public Submap {
       }
       entry.weights = std::move(keyframe.weights);
     }
-    entry.radar = keyframe.radar;
     window_.push_back(std::move(entry));
-    const auto is_same_radar = [&](const Entry& other) { return other.radar == keyframe.radar; };
-    if (std::count_if(window_.begin(), window_.end(), is_same_radar) > options_.num_keyframes) {
-      window_.erase(std::find_if(window_.begin(), window_.end(), is_same_radar));
-    }
+    while (static_cast<int>(window_.size()) > options_.num_keyframes) window_.pop_front();
     Rebuild();
   }
 
@@ -57,7 +52,6 @@ class RawSubmap : public Submap {
     std::vector<Gaussian3> gaussians;     // kPoint, world frame
     std::vector<Eigen::Vector3d> points;  // kVoxel, world frame
     std::vector<double> weights;
-    int radar = 0;
   };
 
   void Rebuild() {

@@ -23,7 +23,6 @@ struct Keyframe {
   std::vector<RadarReturn> returns;  // filtered, radar frame
   std::vector<double> weights;       // velocity-discrepancy weights, one a return
   bool is_planar = false;            // of a sensor without elevation
-  int radar = 0;                     // which one of the vehicle
 };
 
 // What a scan is registered against. Raw keyframe points now; extracted surface points can stand
