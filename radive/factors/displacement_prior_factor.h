@@ -29,8 +29,10 @@ class DisplacementPriorFactor {
  public:
   DisplacementPriorFactor(const Rigid3& T_submap_radar0,
                           const Eigen::Vector3d& displacement,
-                          const Eigen::Matrix3d& sqrt_information)
+                          const Eigen::Matrix3d& sqrt_information,
+                          const Eigen::Vector3d& lever = Eigen::Vector3d::Zero())
       : T_submap_radar0_(T_submap_radar0),
+        lever_(lever),
         displacement_(displacement),
         sqrt_information_(sqrt_information) {}
 
@@ -40,7 +42,8 @@ class DisplacementPriorFactor {
     const Eigen::Map<const Eigen::Matrix<T, 3, 1>> t_submap_radar1(pose + 4);
     const Eigen::Quaternion<T> q_radar0_submap = T_submap_radar0_.rotation.conjugate().cast<T>();
     const Eigen::Matrix<T, 3, 1> t =
-        q_radar0_submap * (t_submap_radar1 - T_submap_radar0_.translation.cast<T>());
+        q_radar0_submap * (t_submap_radar1 + q_submap_radar1 * lever_.cast<T>() -
+                           (T_submap_radar0_ * lever_).cast<T>());
     Eigen::Quaternion<T> half = q_radar0_submap * q_submap_radar1;
     // The root of a unit quaternion lies half-way to the identity; q and -q are one rotation.
     if (half.w() < T(0.0)) half.coeffs() = -half.coeffs();
@@ -53,14 +56,16 @@ class DisplacementPriorFactor {
 
   static ceres::CostFunction* Create(const Rigid3& T_submap_radar0,
                                      const Eigen::Vector3d& displacement,
-                                     const Eigen::Matrix3d& sqrt_information) {
+                                     const Eigen::Matrix3d& sqrt_information,
+                                     const Eigen::Vector3d& lever = Eigen::Vector3d::Zero()) {
     return new ceres::
         AutoDiffCostFunction<DisplacementPriorFactor, 3 /* residuals */, 7 /* pose */>(
-            new DisplacementPriorFactor(T_submap_radar0, displacement, sqrt_information));
+            new DisplacementPriorFactor(T_submap_radar0, displacement, sqrt_information, lever));
   }
 
  private:
   const Rigid3 T_submap_radar0_;
+  const Eigen::Vector3d lever_;
   const Eigen::Vector3d displacement_;
   const Eigen::Matrix3d sqrt_information_;
 };

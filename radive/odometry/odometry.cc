@@ -98,11 +98,19 @@ class Odometry::Impl {
     // errors, and a scan drawn to the other's wall turns the vehicle.
     std::unique_ptr<Submap> submap;
     bool has_scan = false;
-    std::int64_t stamp_ns = 0;               // of its last scan
-    Rigid3 T_world_body;                     // then
-    double time_since_registered = 0.0;      // [s]
-    double usual_interval = 0.0;             // between its scans [s]
-    std::optional<Rigid3> T_world_keyframe;  // T_world_radar of its last keyframe
+    std::int64_t stamp_ns = 0;                            // of its last scan
+    Rigid3 T_world_body;                                  // then
+    Eigen::Vector3d v_doppler = Eigen::Vector3d::Zero();  // then, in the radar frame [m/s]
+    bool has_doppler_velocity = false;                    // v_doppler was measured
+    double time_since_registered = 0.0;                   // [s]
+    double usual_interval = 0.0;                          // between its scans [s]
+    std::optional<Rigid3> T_world_keyframe;               // T_world_radar of its last keyframe
+  };
+
+  // Time up to a scan [s].
+  struct Interval {
+    double dt = 0.0;      // since the last scan of any radar
+    double own_dt = 0.0;  // since the last scan of the same radar; 0: none
   };
 
   // Where the radar should be, before the scan is looked at.
@@ -110,6 +118,8 @@ class Odometry::Impl {
     Rigid3 T_world_radar;
     Eigen::Vector3d v_mean = Eigen::Vector3d::Zero();  // of the radar, in its frame half-way [m/s]
     bool has_doppler = false;                          // v_mean is from the ego velocity
+    Eigen::Vector3d rate = Eigen::Vector3d::Zero();    // of the radar, in its frame [rad/s]
+    bool has_yaw_rate = false;                         // rate is by the vehicle's kinematics
   };
 
   Radar* RadarOf(const RadarScan& scan);
@@ -129,7 +139,9 @@ class Odometry::Impl {
   static double UnseenSigma(const Radar& radar, double dt) {
     return kUnseenAcceleration * UnseenTime(radar, dt) * UnseenTime(radar, dt);
   }
-  Prediction Predict(const Radar& radar, const EgoVelocity& velocity, double dt) const;
+  Prediction Predict(const Radar& radar,
+                     const EgoVelocity& velocity,
+                     const Interval& interval) const;
   RegistrationPriors Priors(const Radar& radar,
                             const Prediction& prediction,
                             const EgoVelocity& velocity,
@@ -138,7 +150,7 @@ class Odometry::Impl {
   void Locate(const Radar& radar,
               const RadarScan& scan,
               const FilteredScan& filtered,
-              double dt,
+              const Interval& interval,
               OdometryResult* result);
   void Register(const Radar& radar,
                 const FilteredScan& filtered,
@@ -146,7 +158,7 @@ class Odometry::Impl {
                 double dt,
                 OdometryResult* result);
   Matrix6d PredictedCovariance(const EgoVelocity& velocity, const Radar& radar, double dt) const;
-  void FollowMotion(const OdometryResult& result, double dt, Radar* radar);
+  void FollowMotion(const OdometryResult& result, const Interval& interval, Radar* radar);
   bool IsKeyframe(const Radar& radar, const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, Radar* radar, OdometryResult* result);
 
@@ -162,7 +174,6 @@ class Odometry::Impl {
   Eigen::Vector3d up_world_ = Eigen::Vector3d::UnitZ();      // the vehicle's up axis at the start
   Eigen::Vector3d last_velocity_ = Eigen::Vector3d::Zero();  // body frame [m/s]
   Eigen::Vector3d last_rate_ = Eigen::Vector3d::Zero();      // body frame [rad/s]
-  bool has_doppler_velocity_ = false;                        // last_velocity_ is measured
   Matrix6d covariance_ = Matrix6d::Zero();                   // of the last pose
   double time_since_registered_ = 0.0;                       // [s]
   bool has_noted_doppler_ = false;
@@ -203,15 +214,17 @@ void Odometry::Impl::NoteMissingDoppler(const RadarScan& scan) {
 
 Odometry::Impl::Prediction Odometry::Impl::Predict(const Radar& radar,
                                                    const EgoVelocity& velocity,
-                                                   double dt) const {
+                                                   const Interval& interval) const {
+  const double dt = interval.dt;
   Prediction prediction;
-  prediction.v_mean = LastVelocityOf(radar);
   prediction.has_doppler = HasVelocity(velocity);
-  if (prediction.has_doppler) {
-    // Trapezoid: the mean of both ends, each in its own radar frame, belongs to the frame half-way.
-    prediction.v_mean = has_doppler_velocity_
-                            ? Eigen::Vector3d(0.5 * (prediction.v_mean + velocity.v_radar))
-                            : velocity.v_radar;
+  if (prediction.has_doppler && radar.has_doppler_velocity) {
+    // Half-way through the last `dt`, linear in time since this radar's last scan. Each velocity is
+    // in its own radar frame; what is between them belongs to the frame between.
+    const double share_of_last = 0.5 * dt / interval.own_dt;
+    prediction.v_mean = share_of_last * radar.v_doppler + (1.0 - share_of_last) * velocity.v_radar;
+  } else {
+    prediction.v_mean = prediction.has_doppler ? velocity.v_radar : LastVelocityOf(radar);
   }
   Eigen::Vector3d rate = last_rate_;
   if (const auto yaw_rate = prediction.has_doppler
@@ -219,7 +232,9 @@ Odometry::Impl::Prediction Odometry::Impl::Predict(const Radar& radar,
                                 : std::nullopt) {
     const Eigen::Vector3d up = radar.T_body_radar.rotation * UpRadar(radar.T_vehicle_radar);
     rate += up * (*yaw_rate - up.dot(rate));
+    prediction.has_yaw_rate = true;
   }
+  prediction.rate = radar.T_body_radar.rotation.conjugate() * rate;
   const Eigen::Vector3d v_body =
       radar.T_body_radar.rotation * prediction.v_mean - rate.cross(radar.T_body_radar.translation);
   const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
@@ -247,6 +262,19 @@ RegistrationPriors Odometry::Impl::Priors(const Radar& radar,
         T_world_radar0,
         prediction.v_mean * dt,
         time * time * velocity.covariance + variance * Eigen::Matrix3d::Identity()};
+    if (radars_.size() > 1) {
+      const Eigen::Vector3d up = UpRadar(radar.T_vehicle_radar);
+      const double sigma_rate = prediction.has_yaw_rate ? atof(getenv("SR") ? getenv("SR") : "0.03") : 0.1;
+      RegistrationPriors::Displacement& prior = *priors.displacement;
+      prior.lever = radar.T_body_radar.Inverse().translation;
+      prior.displacement += prediction.rate.cross(prior.lever) * dt;
+      const Eigen::Vector3d side = up.cross(prior.lever) * sigma_rate * time;
+      prior.covariance += side * side.transpose();
+      if (prediction.has_yaw_rate && !getenv("NOROT")) {
+        const double sigma = sigma_rate * time;
+        priors.rotation = RegistrationPriors::Rotation{prediction.T_world_radar.rotation, sigma * sigma * Eigen::Matrix3d::Identity()};
+      }
+    }
   }
   if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
       prediction.v_mean.norm() < motion.low_speed_limit) {
@@ -338,13 +366,13 @@ Matrix6d Odometry::Impl::PredictedCovariance(const EgoVelocity& velocity,
 void Odometry::Impl::Locate(const Radar& radar,
                             const RadarScan& scan,
                             const FilteredScan& filtered,
-                            double dt,
+                            const Interval& interval,
                             OdometryResult* result) {
   const EgoVelocity& velocity = result->ego_velocity;
-  const Prediction prediction = Predict(radar, velocity, dt);
+  const Prediction prediction = Predict(radar, velocity, interval);
   // What stands now may have moved since the last pose, when that is some scans ago.
   const bool may_have_moved = radar.usual_interval > 0.0 &&
-                              time_since_registered_ + dt > 1.5 * radar.usual_interval &&
+                              time_since_registered_ + interval.dt > 1.5 * radar.usual_interval &&
                               last_velocity_.norm() >= options_.ego_velocity.standing_speed;
   if (radar.submap->search() == nullptr) {
     // Nothing to register against yet: the first scan with enough returns starts the submap.
@@ -364,19 +392,21 @@ void Odometry::Impl::Locate(const Radar& radar,
     result->T_world_radar = T_world_body_ * radar.T_body_radar;
     result->covariance = covariance_;
   } else {
-    Register(radar, filtered, prediction, dt, result);
+    Register(radar, filtered, prediction, interval.dt, result);
   }
   if (result->status != OdometryResult::Status::kPredicted) return;
-  result->covariance = PredictedCovariance(velocity, radar, dt);
+  result->covariance = PredictedCovariance(velocity, radar, interval.dt);
   if (!velocity.valid && scan.has_doppler && options_.ego_velocity.enabled &&
       !velocity.reason.empty()) {
     result->reason = "ego velocity: " + velocity.reason;
   }
 }
 
-// What the next prediction starts from. `dt`: since the last scan of any radar.
-void Odometry::Impl::FollowMotion(const OdometryResult& result, double dt, Radar* radar) {
-  const double own_dt = radar->has_scan ? Seconds(result.stamp_ns - radar->stamp_ns) : 0.0;
+// What the next prediction starts from.
+void Odometry::Impl::FollowMotion(const OdometryResult& result,
+                                  const Interval& interval,
+                                  Radar* radar) {
+  const double own_dt = interval.own_dt;
   const bool has_velocity = HasVelocity(result.ego_velocity);
   radar->time_since_registered += own_dt;
   if (own_dt > 0.0) {
@@ -394,10 +424,12 @@ void Odometry::Impl::FollowMotion(const OdometryResult& result, double dt, Radar
     last_velocity_ = radar->T_body_radar.rotation * result.ego_velocity.v_radar -
                      last_rate_.cross(radar->T_body_radar.translation);
   }
-  has_doppler_velocity_ = has_velocity;
+  radar->has_doppler_velocity = has_velocity;
+  radar->v_doppler = result.ego_velocity.v_radar;
   covariance_ = result.covariance;
-  time_since_registered_ =
-      result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;
+  time_since_registered_ = result.status == OdometryResult::Status::kPredicted
+                               ? time_since_registered_ + interval.dt
+                               : 0.0;
   T_world_body_ = result.T_world_body;
   last_stamp_ns_ = result.stamp_ns;
   if (result.status != OdometryResult::Status::kPredicted) radar->time_since_registered = 0.0;
@@ -447,14 +479,16 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
     result.times_ms.total = stopwatch.Milliseconds();
     return result;
   }
-  const double dt = result.index == 0 ? 0.0 : Seconds(scan.stamp_ns - last_stamp_ns_);
+  Interval interval;
+  if (result.index > 0) interval.dt = Seconds(scan.stamp_ns - last_stamp_ns_);
+  if (radar->has_scan) interval.own_dt = Seconds(scan.stamp_ns - radar->stamp_ns);
 
-  vehicle_.Advance(dt);
+  vehicle_.Advance(interval.dt);
   NoteMissingDoppler(scan);
   FilteredScan filtered = radar->filter.Filter(scan, &result);
-  Locate(*radar, scan, filtered, dt, &result);
+  Locate(*radar, scan, filtered, interval, &result);
   result.T_world_body = result.T_world_radar * radar->T_body_radar.Inverse();
-  FollowMotion(result, dt, radar);
+  FollowMotion(result, interval, radar);
 
   const Stopwatch submap_stopwatch;
   if (IsKeyframe(*radar, result)) AddKeyframe(std::move(filtered), radar, &result);

@@ -274,6 +274,32 @@ TEST(Odometry, SeesThatItStoppedElsewhere) {
   }
 }
 
+// The street widens to 1.6 times its size from one scan to the next: nothing of the submap is seen
+// any more. After restart_time the submap goes on where the Doppler says the radar is.
+TEST(Odometry, GoesOnWhereItsSubmapEnds) {
+  const StreetDrive drive;
+  const OdometryOptions options = Options();
+  Odometry odometry(options);
+  constexpr double kWider = 1.6;
+  constexpr int kChange = 20;
+  const int restart = kChange + static_cast<int>(options.motion.restart_time * 1e9 /
+                                                 static_cast<double>(kInterval));
+  for (int k = 0; k < restart + 20; ++k) {
+    RadarScan scan = drive.ScanAt(k);
+    if (k >= kChange) {
+      scan = StreetScan(k, (drive.PositionAt(k).x() - 30.0) / kWider, drive.speed);
+      for (RadarReturn& entry : scan.returns) entry.position *= kWider;
+    }
+    const OdometryResult result = odometry.AddScan(scan);
+    const bool is_lost = k >= kChange && k <= restart;
+    EXPECT_EQ(result.status, is_lost ? Status::kPredicted : Status::kRegistered) << k;
+    if (is_lost) {
+      EXPECT_EQ(result.is_keyframe, k == restart) << k;
+    }
+    EXPECT_LT(Error(result, drive.PositionAt(k)), 0.05) << k;
+  }
+}
+
 // With ego velocity off the Doppler is not looked at, and the run says so.
 TEST(Odometry, EgoVelocityCanBeSwitchedOff) {
   const StreetDrive drive;
