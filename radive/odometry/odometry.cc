@@ -266,7 +266,10 @@ RegistrationPriors Odometry::Impl::Priors(const Radar& radar,
       const Eigen::Vector3d up = UpRadar(radar.T_vehicle_radar);
       const double sigma_rate = prediction.has_yaw_rate ? atof(getenv("SR") ? getenv("SR") : "0.03") : 0.1;
       RegistrationPriors::Displacement& prior = *priors.displacement;
-      prior.lever = radar.T_body_radar.Inverse().translation;
+      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+      for (const auto& entry : radars_) centre += entry.second.T_body_radar.translation;
+      centre /= static_cast<double>(radars_.size());
+      prior.lever = radar.T_body_radar.Inverse() * centre;
       prior.displacement += prediction.rate.cross(prior.lever) * dt;
       const Eigen::Vector3d side = up.cross(prior.lever) * sigma_rate * time;
       prior.covariance += side * side.transpose();
