@@ -245,8 +245,9 @@ std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
     *error = PlaceOf(place, exception.mark) + "not valid YAML: " + exception.msg;
     return std::nullopt;
   }
-  if (!ApplySet(set_text, &stages, error) || !ReadDecoder(&config.odometry.neural_map, error) ||
-      !config.IsValid(error)) {
+  if (!ApplySet(set_text, &stages, error)) return std::nullopt;
+  if (config.input.radar == "all") config.odometry.motion.body = MotionOptions::Body::kVehicle;
+  if (!ReadDecoder(&config.odometry.neural_map, error) || !config.IsValid(error)) {
     return std::nullopt;
   }
   return config;

@@ -17,7 +17,8 @@ namespace radive {
 //            d_max: 10
 //
 // An unknown or repeated key, a value of the wrong type or out of range is an error that names
-// the place, the key, the value and the rule, and suggests the nearest key.
+// the place, the key, the value and the rule, and suggests the nearest key. input.radar=all makes
+// motion.body the vehicle: no radar of several is the one that the trajectory would be of.
 std::optional<RunConfig> LoadRunConfig(const std::string& yaml_path,
                                        const std::string& set_text,
                                        std::string* error);

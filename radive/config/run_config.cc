@@ -14,7 +14,10 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> RunConfig::Stages(
 }
 
 bool RunConfig::IsValid(std::string* error) const {
-  return input.IsValid(error) && odometry.IsValid(error) && output.IsValid(error);
+  if (!input.IsValid(error) || !odometry.IsValid(error) || !output.IsValid(error)) return false;
+  if (input.radar != "all" || !odometry.sensor.mounts.empty()) return true;
+  *error = "input.radar all needs sensor.mounts, which says where each radar sits";
+  return false;
 }
 
 }  // namespace radive

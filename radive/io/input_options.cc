@@ -66,10 +66,12 @@ std::vector<OptionField> InputOptions::Fields() {
                   "Scans a second, for data that store no stamps: scan k gets the stamp k / rate."}
           .AtLeast(1e-3)
           .AtMost(1e6),
-      OptionField{"radar",
-                  &radar,
-                  "-",
-                  "Which radar of the vehicle, for data with several: its number from 1, or all."},
+      OptionField{
+          "radar",
+          &radar,
+          "-",
+          "Which radar of the vehicle, for data with several: its number from 1, or all, which "
+          "makes motion.body the vehicle."},
       OptionField{"clip",
                   &clip,
                   "-",

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "radive/io/merged_source.h"
 #include "radive/io/record_file.h"
 #include "radive/io/scan_folder.h"
 #include "radive/io/scan_stamps.h"
@@ -64,16 +65,23 @@ bool FindColumns(std::string_view header, std::array<int, kNumColumns>* position
   return *std::min_element(positions->begin(), positions->end()) >= 0;
 }
 
-// "radar1, radar3": the radars that have a table in `folder`.
-std::string RadarsIn(const fs::path& folder) {
-  std::string found;
+// The radars that have a table in `folder`, by number.
+std::vector<int> RadarsIn(const fs::path& folder) {
+  std::vector<int> radars;
   for (int k = 1; k <= 99; ++k) {
-    const std::string name = "radar" + std::to_string(k);
     std::error_code ignored;
-    if (!fs::exists(folder / (name + "_scans.csv"), ignored)) continue;
-    found += (found.empty() ? "" : ", ") + name;
+    if (fs::exists(folder / ("radar" + std::to_string(k) + "_scans.csv"), ignored)) {
+      radars.push_back(k);
+    }
   }
-  return found.empty() ? "none" : found;
+  return radars;
+}
+
+// "radar1, radar3"
+std::string NamesOf(const std::vector<int>& radars) {
+  std::string names;
+  for (const int k : radars) names += (names.empty() ? "radar" : ", radar") + std::to_string(k);
+  return names.empty() ? "none" : names;
 }
 
 }  // namespace
@@ -136,26 +144,38 @@ RadarScenesSource::RadarScenesSource(const InputOptions& options) : converter_(o
 }
 RadarScenesSource::~RadarScenesSource() = default;
 
-std::unique_ptr<RadarScenesSource> RadarScenesSource::Open(const fs::path& path,
-                                                           const InputOptions& options,
-                                                           std::string* error) {
-  if (options.radar == "all") {
-    *error = "input.radar: all radars together are not supported yet, give the number of one";
-    return nullptr;
-  }
-  const std::optional<std::int64_t> radar = ParseInteger(options.radar);
-  CHECK(radar) << "input options were not checked: radar " << options.radar;
+std::unique_ptr<ScanSource> RadarScenesSource::Open(const fs::path& path,
+                                                    const InputOptions& options,
+                                                    std::string* error) {
   const fs::path folder = options.folder.empty() ? path : path / options.folder;
   if (!CheckIsFolder(folder, error)) return nullptr;
+  if (options.radar != "all") {
+    const std::optional<std::int64_t> radar = ParseInteger(options.radar);
+    CHECK(radar) << "input options were not checked: radar " << options.radar;
+    return OpenRadar(folder, static_cast<int>(*radar), options, error);
+  }
+  std::vector<std::unique_ptr<ScanSource>> sources;
+  for (const int radar : RadarsIn(folder)) {
+    sources.push_back(OpenRadar(folder, radar, options, error));
+    if (sources.back() == nullptr) return nullptr;
+  }
+  if (!sources.empty()) return std::make_unique<MergedSource>(std::move(sources));
+  *error = folder.string() + ": expected radar1_scans.csv, radar2_scans.csv, ..., found none";
+  return nullptr;
+}
 
+std::unique_ptr<RadarScenesSource> RadarScenesSource::OpenRadar(const fs::path& folder,
+                                                                int radar,
+                                                                const InputOptions& options,
+                                                                std::string* error) {
   std::unique_ptr<RadarScenesSource> source(new RadarScenesSource(options));
-  source->radar_ = static_cast<int>(*radar);
+  source->radar_ = radar;
   const std::string name = "radar" + std::to_string(source->radar_);
   source->table_path_ = folder / (name + "_scans.csv");
   std::error_code ignored;
   if (!fs::exists(source->table_path_, ignored)) {
     *error = source->table_path_.string() + ": does not exist, expected the scans of " + name +
-             " (input.radar); radars found in the folder: " + RadarsIn(folder);
+             " (input.radar); radars found in the folder: " + NamesOf(RadarsIn(folder));
     return nullptr;
   }
   if (!source->ReadTable(error)) return nullptr;

@@ -31,10 +31,10 @@ class RadarScenesSource : public ScanSource {
  public:
   // `options` must be valid. Null, with file, line and expectation in `error`, when the files of
   // the radar input.radar are absent, a line cannot be read, or a line asks for rows that the file
-  // of points does not have.
-  static std::unique_ptr<RadarScenesSource> Open(const std::filesystem::path& path,
-                                                 const InputOptions& options,
-                                                 std::string* error);
+  // of points does not have. input.radar = all: every radar of the folder, see MergedSource.
+  static std::unique_ptr<ScanSource> Open(const std::filesystem::path& path,
+                                          const InputOptions& options,
+                                          std::string* error);
   ~RadarScenesSource() override;
 
   Status Next(RadarScan* scan) override;
@@ -53,6 +53,10 @@ class RadarScenesSource : public ScanSource {
   class PointFile;
 
   explicit RadarScenesSource(const InputOptions& options);
+  static std::unique_ptr<RadarScenesSource> OpenRadar(const std::filesystem::path& folder,
+                                                      int radar,
+                                                      const InputOptions& options,
+                                                      std::string* error);
   bool ReadTable(std::string* error);
   bool CheckRows(std::uint64_t num_rows, std::string* error) const;
 

@@ -7,6 +7,11 @@ namespace radive {
 
 std::vector<OptionField> MotionOptions::Fields() {
   return {
+      {"body",
+       MakeChoice(&body, {"radar", "vehicle"}),
+       "-",
+       "Whose pose the trajectory is of: the radar's (of the first scan), or the vehicle's, by "
+       "sensor.mount_* or sensor.mounts."},
       {"doppler_prior",
        &doppler_prior,
        "-",

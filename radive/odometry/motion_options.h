@@ -12,6 +12,14 @@ namespace radive {
 
 // How the next pose is predicted, and which of that is held as a prior in registration.
 struct MotionOptions {
+  enum class Body {
+    kRadar,   // the radar of the first scan
+    kVehicle  // origin at the rear axle, see SensorOptions
+  };
+
+  // Whose pose the trajectory is of. The body's frame at the first scan is the world frame.
+  Body body = Body::kRadar;
+
   // Translation prior from the ego velocity, always on, weighted by the velocity's covariance.
   bool doppler_prior = true;
   double doppler_floor = 0.1;  // added to the velocity's standard deviation [m/s]

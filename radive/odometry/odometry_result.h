@@ -29,10 +29,13 @@ struct OdometryResult {
   Status status = Status::kSkipped;
   std::string reason;  // why the scan was not registered; empty when it was
 
-  // Pose of the radar; the world frame is the radar frame of the first scan.
+  // Pose of what the trajectory is of (motion.body): the radar of the first scan, or the vehicle.
+  // The world frame is its frame at the first scan.
+  Rigid3 T_world_body;
+  // Pose of the radar that this scan is of. The same, where there is one radar and no vehicle.
   Rigid3 T_world_radar;
-  // Of the pose, order [rotation (3), translation (3)], both in the world frame: the true pose is
-  // (exp(dr) R, t + dt) [rad^2, rad m, m^2]. Relative to the submap, so it does not grow with
+  // Of T_world_body, order [rotation (3), translation (3)], both in the world frame: the true pose
+  // is (exp(dr) R, t + dt) [rad^2, rad m, m^2]. Relative to the submap, so it does not grow with
   // drift.
   Matrix6d covariance = Matrix6d::Zero();
 

@@ -6,12 +6,24 @@
 #include <cmath>
 
 #include "radive/ego_velocity/velocity_discrepancy.h"
+#include "radive/ndt/gaussian_builder.h"
 #include "radive/preprocessing/azimuth_bin_filter.h"
 #include "radive/preprocessing/occlusion_counts.h"
 #include "radive/preprocessing/preprocess.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
+
+std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryOptions& options) {
+  if (options.ndt.representation == NdtOptions::Representation::kPoint) {
+    return GaussiansOfReturns(
+        scan.returns, scan.weights, options.sensor, options.ndt, scan.is_planar);
+  }
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(scan.returns.size());
+  for (const RadarReturn& radar_return : scan.returns) points.push_back(radar_return.position);
+  return GaussiansOfVoxels(points, scan.weights, options.ndt);
+}
 
 std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn>& returns,
                                                    const Eigen::Vector3d& v_radar) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radive/ego_velocity/ego_velocity_estimator.h"
+#include "radive/geometry/gaussian3.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/odometry/odometry_result.h"
 #include "radive/sensor/radar_scan.h"
@@ -18,6 +19,9 @@ struct FilteredScan {
   std::vector<double> weights;       // velocity-discrepancy weights, one a return
   bool is_planar = false;            // of a sensor without elevation
 };
+
+// The Gaussians of a scan, radar frame: of its returns or of its voxels, as options.ndt says.
+std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryOptions& options);
 
 // Ego velocity of a scan that carries Doppler is measured, or the last good one, whose covariance
 // has grown since.

@@ -15,8 +15,9 @@ std::vector<OptionField> SubmapOptions::Fields() {
           .Above(0.0),
       OptionField{"keyframe_rotation", &keyframe_rotation, "rad", "Turn between keyframes."}.Above(
           0.0),
-      OptionField{"num_keyframes", &num_keyframes, "-", "Keyframes in the sliding window."}.AtLeast(
-          1),
+      OptionField{
+          "num_keyframes", &num_keyframes, "-", "Keyframes of each radar in the sliding window."}
+          .AtLeast(1),
   };
 }
 

@@ -55,11 +55,11 @@ std::string UpperTriangleNames(const std::string& prefix, const std::string* nam
 }  // namespace
 
 std::string TumRow(const OdometryResult& result) {
-  return TumLine({result.stamp_ns, result.T_world_radar}) + "\n";
+  return TumLine({result.stamp_ns, result.T_world_body}) + "\n";
 }
 
 std::string KittiRow(const OdometryResult& result) {
-  return KittiLine({result.stamp_ns, result.T_world_radar}) + "\n";
+  return KittiLine({result.stamp_ns, result.T_world_body}) + "\n";
 }
 
 std::string ScansHeader() {

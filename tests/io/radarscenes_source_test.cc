@@ -35,7 +35,7 @@ class RadarScenesSourceTest : public ::testing::Test {
                       Floats({4.0, M_PI, 1.5, 0.0, 11.0}));
   }
   void WriteTable(const std::string& lines) { folder_.Write("radar2_scans.csv", kNames + lines); }
-  std::unique_ptr<RadarScenesSource> Open() {
+  std::unique_ptr<ScanSource> Open() {
     auto source = RadarScenesSource::Open(folder_.path(), options_, &error_);
     EXPECT_NE(source, nullptr) << error_;
     return source;
@@ -167,8 +167,6 @@ TEST_F(RadarScenesSourceTest, AbsentFilesAreNamed) {
               AllOf(HasSubstr((folder_.path() / "radar4_scans.csv").string()),
                     HasSubstr("input.radar"),
                     HasSubstr("found in the folder: radar2")));
-  options_.radar = "all";
-  EXPECT_THAT(OpenError(), HasSubstr("not supported yet"));
   options_.radar = "2";
   folder_.Write("radar2_points.bin", testing::LfsPointer());
   EXPECT_THAT(OpenError(), HasSubstr("radar2_points.bin: a Git-LFS pointer"));
@@ -177,6 +175,26 @@ TEST_F(RadarScenesSourceTest, AbsentFilesAreNamed) {
   options_.folder = "seq7";
   EXPECT_THAT(OpenError(),
               AllOf(HasSubstr((folder_.path() / "seq7").string()), HasSubstr("expected a folder")));
+}
+
+TEST_F(RadarScenesSourceTest, AllRadarsComeAsOneStream) {
+  WriteTable("1,0.1,0,2,0,0,0,0,0,0\n2,0.3,2,1,0,0,0,0,0,0\n");
+  folder_.Write("radar4_scans.csv", std::string(kNames) + "1,0.2,0,1,0,0,0,0,0,0\n");
+  folder_.Write("radar4_points.bin", Floats({7.0, 0.0, 1.0, 0.0, 11.0}));
+  options_.radar = "all";
+  const auto source = Open();
+  EXPECT_EQ(source->NumScans(), 3);
+  const auto scans = ReadAll(source.get());
+  EXPECT_THAT(testing::Stamps(scans), ElementsAre(100000000, 200000000, 300000000));
+  EXPECT_EQ(scans[0].radar, 2);
+  EXPECT_EQ(scans[1].radar, 4);
+  EXPECT_EQ(scans[1].returns.at(0).position.x(), 7.0);
+
+  std::filesystem::remove(folder_.path() / "radar4_points.bin");
+  EXPECT_THAT(OpenError(), HasSubstr("radar4_points.bin"));
+  const TempFolder empty;
+  EXPECT_EQ(RadarScenesSource::Open(empty.path(), options_, &error_), nullptr);
+  EXPECT_THAT(error_, AllOf(HasSubstr(empty.string()), HasSubstr("radar1_scans.csv")));
 }
 
 TEST_F(RadarScenesSourceTest, SkipsWithoutReading) {

@@ -344,40 +344,44 @@ MotionOptions RoadVehicle() {
 TEST(VehicleModel, PointWithoutSlipMovesAhead) {
   for (const auto& [mount, lever] :
        std::vector<std::pair<double, double>>{{3.6, 3.3}, {-0.9, -1.2}, {0.4, 0.2}, {0.0, 0.0}}) {
-    const VehicleModel vehicle(RoadVehicle(), {Eigen::Quaterniond::Identity(), {mount, 0.5, 1.0}});
-    const auto prior = vehicle.Prior(Rigid3(), {10.0, 0.0, 0.0}, 0.1);
+    const Rigid3 T_vehicle_radar = {Eigen::Quaterniond::Identity(), {mount, 0.5, 1.0}};
+    const VehicleModel vehicle(RoadVehicle());
+    const auto prior = vehicle.Prior(T_vehicle_radar, Rigid3(), {10.0, 0.0, 0.0}, 0.1);
     ASSERT_TRUE(prior);
     EXPECT_NEAR(prior->T_e_radar.translation.x(), lever, 1e-12);
     EXPECT_EQ(prior->T_e_radar.translation.y(), 0.5);
     EXPECT_EQ(prior->lateral_offset, 0.0);
     // 1.65 m/s to the left 3.3 m ahead of what does not slip: half a radian per second.
-    const auto yaw_rate = vehicle.YawRate({10.0, 1.65, 0.0});
+    const auto yaw_rate = vehicle.YawRate(T_vehicle_radar, {10.0, 1.65, 0.0});
     EXPECT_EQ(yaw_rate.has_value(), mount > 1.0);
     if (yaw_rate) {
       EXPECT_NEAR(*yaw_rate, 0.5, 1e-12);
     }
   }
-  const VehicleModel off{MotionOptions(), Rigid3()};
-  EXPECT_FALSE(off.Prior(Rigid3(), {10.0, 0.0, 0.0}, 0.1));
-  EXPECT_FALSE(off.YawRate({10.0, 0.0, 0.0}));
+  const VehicleModel off{MotionOptions()};
+  EXPECT_FALSE(off.Prior(Rigid3(), Rigid3(), {10.0, 0.0, 0.0}, 0.1));
+  EXPECT_FALSE(off.YawRate(Rigid3(), {10.0, 0.0, 0.0}));
 }
 
 // A car that always slides 2 mrad to the left leaves 2 mm of each metre in the residual; the slip
 // angle is found but for what the process lets fade, and the prior expects it from then on.
 TEST(VehicleModel, FollowsAConstantSlipAngle) {
   constexpr double kSlip = 0.002, kStep = 1.0, kInterval_s = 0.1;
-  VehicleModel vehicle(RoadVehicle(), {Eigen::Quaterniond::Identity(), {3.6, 0.0, 0.0}});
+  const Rigid3 T_vehicle_radar = {Eigen::Quaterniond::Identity(), {3.6, 0.0, 0.0}};
+  VehicleModel vehicle(RoadVehicle());
   const Eigen::Vector3d v(kStep / kInterval_s, 0.0, 0.0);
   for (int k = 0; k < 300; ++k) {
     vehicle.Advance(kInterval_s);
-    const double expected = vehicle.Prior(Rigid3(), v, kInterval_s)->lateral_offset;
+    const double expected =
+        vehicle.Prior(T_vehicle_radar, Rigid3(), v, kInterval_s)->lateral_offset;
     // Registration sees the displacement to 5 mm, and believes it rather than the prior.
-    vehicle.Update(v, kInterval_s, kSlip * kStep - expected, 2.5e-5);
+    vehicle.Update(T_vehicle_radar, v, kInterval_s, kSlip * kStep - expected, 2.5e-5);
   }
   EXPECT_GT(vehicle.slip(), 0.5 * kSlip);
   EXPECT_LT(vehicle.slip(), kSlip);
-  EXPECT_NEAR(
-      vehicle.Prior(Rigid3(), v, kInterval_s)->lateral_offset, vehicle.slip() * kStep, 1e-12);
+  EXPECT_NEAR(vehicle.Prior(T_vehicle_radar, Rigid3(), v, kInterval_s)->lateral_offset,
+              vehicle.slip() * kStep,
+              1e-12);
   // Left alone, it fades.
   vehicle.Advance(100.0);
   EXPECT_LT(std::abs(vehicle.slip()), 1e-6);

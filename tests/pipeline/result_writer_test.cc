@@ -27,8 +27,8 @@ OdometryResult QuarterTurn() {
   result.stamp_ns = 1'706'001'762'099'999'905;
   result.status = OdometryResult::Status::kPredicted;
   result.reason = "few returns, 3 of 10";
-  result.T_world_radar = {QuaternionFromRotationVector({0.0, 0.0, 1.5707963267948966}),
-                          {1.0, 2.0, 3.0}};
+  result.T_world_body = {QuaternionFromRotationVector({0.0, 0.0, 1.5707963267948966}),
+                         {1.0, 2.0, 3.0}};
   result.covariance.diagonal() << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0;
   result.covariance(0, 5) = result.covariance(5, 0) = -0.25;
   result.ego_velocity.valid = true;

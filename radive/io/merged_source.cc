@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/merged_source.h"
+
+#include <glog/logging.h>
+
+#include <utility>
+
+namespace radive {
+
+MergedSource::MergedSource(std::vector<std::unique_ptr<ScanSource>> sources) {
+  CHECK(!sources.empty());
+  for (std::unique_ptr<ScanSource>& source : sources) {
+    inputs_.emplace_back().source = std::move(source);
+  }
+}
+
+bool MergedSource::Read(Input* input) {
+  if (input->is_read) return true;
+  input->status = input->source->Next(&input->next);
+  input->is_read = true;
+  for (std::string& warning : input->source->TakeWarnings()) {
+    warnings_.push_back(std::move(warning));
+  }
+  if (input->status != Status::kError) return true;
+  error_ = input->source->error();
+  return false;
+}
+
+ScanSource::Status MergedSource::Next(RadarScan* scan) {
+  Input* earliest = nullptr;
+  for (Input& input : inputs_) {
+    if (!Read(&input)) return Status::kError;
+    if (input.status == Status::kEnd) continue;
+    if (earliest == nullptr || input.next.stamp_ns < earliest->next.stamp_ns) earliest = &input;
+  }
+  if (earliest == nullptr) return Status::kEnd;
+  std::swap(*scan, earliest->next);
+  earliest->is_read = false;
+  return Status::kScan;
+}
+
+std::string MergedSource::Description() const {
+  std::string description = std::to_string(inputs_.size()) + " radars in the order of their stamps";
+  for (const Input& input : inputs_) description += "; " + input.source->Description();
+  return description;
+}
+
+SourceFacts MergedSource::Facts() const { return inputs_.front().source->Facts(); }
+
+std::optional<int> MergedSource::NumScans() const {
+  int sum = 0;
+  for (const Input& input : inputs_) {
+    const std::optional<int> count = input.source->NumScans();
+    if (!count) return std::nullopt;
+    sum += *count;
+  }
+  return sum;
+}
+
+}  // namespace radive
