@@ -22,9 +22,9 @@ namespace radive {
 // d     displacement by the ego velocity: mean of both scans' v_radar, times the time     [m]
 // W     square-root information of d, W^T W = covariance^-1, radar frame half-way         [1/m]
 //
-// h^-1 t, for l = 0, is the chord of the motion in the radar frame half-way, the frame in which the mean of the
-// velocities at both ends lives. The direction of the ego velocity thereby informs the rotation.
-// Parameter blocks: T_submap_radar1 [qx qy qz qw tx ty tz] (7). Residuals: 3, unit-free.
+// h^-1 t, for l = 0, is the chord of the motion in the radar frame half-way, the frame in which the
+// mean of the velocities at both ends lives. The direction of the ego velocity thereby informs the
+// rotation. Parameter blocks: T_submap_radar1 [qx qy qz qw tx ty tz] (7). Residuals: 3, unit-free.
 // Source: RaDiVe, "Ego-Velocity Translation Prior", made always-on and weighted.
 class DisplacementPriorFactor {
  public:
