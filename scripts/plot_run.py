@@ -71,12 +71,23 @@ def save(figure, path):
     print(path)
 
 
+def widen(axes):
+    """A straight drive is no line without height: the shorter side gets a third of the longer one."""
+    x, y = axes.get_xlim(), axes.get_ylim()
+    least = max(x[1] - x[0], y[1] - y[0]) / 3
+    for limits, set_limits in ((x, axes.set_xlim), (y, axes.set_ylim)):
+        margin = (least - (limits[1] - limits[0])) / 2
+        if margin > 0:
+            set_limits(limits[0] - margin, limits[1] + margin)
+
+
 def plot_trajectory(path, positions, reference):
-    figure, axes = plt.subplots(figsize=(7, 7))
+    figure, axes = plt.subplots(figsize=(9, 6))
     if reference is not None:
         axes.plot(*reference[:, 1:3].T, color="0.6", linewidth=3, label="ground truth")
     axes.plot(*positions[:, :2].T, color="tab:blue", linewidth=1.2, label="RaDiVe")
     axes.plot(*positions[0, :2], "o", color="tab:blue", label="start")
+    widen(axes)
     axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     axes.legend()
     axes.grid(alpha=0.3)
@@ -104,7 +115,7 @@ def plot_errors(path, reference, estimate, rotation, positions):
 
 
 def plot_map(path, points, positions):
-    figure, axes = plt.subplots(figsize=(8, 8))
+    figure, axes = plt.subplots(figsize=(10, 6))
     if len(points):
         low, high = np.percentile(points[:, 2], [5, 95])
         dots = axes.scatter(
