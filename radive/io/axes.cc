@@ -50,7 +50,7 @@ std::optional<SignedAxes> ParseAxes(std::string_view text) {
 }
 
 AxesSource::AxesSource(std::unique_ptr<ScanSource> source, const std::string& axes)
-    : source_(std::move(source)), must_decide_(axes == "auto") {
+    : source_(std::move(source)), ahead_(source_.get()), must_decide_(axes == "auto") {
   if (must_decide_) return;
   const std::optional<SignedAxes> parsed = ParseAxes(axes);
   CHECK(parsed) << "input options were not checked: axes " << axes;
@@ -58,53 +58,23 @@ AxesSource::AxesSource(std::unique_ptr<ScanSource> source, const std::string& ax
   reason_ = "as set";
 }
 
-ScanSource::Status AxesSource::ReadNext(RadarScan* scan) {
-  const Status status = source_->Next(scan);
-  for (std::string& warning : source_->TakeWarnings()) warnings_.push_back(std::move(warning));
-  if (status == Status::kError) error_ = source_->error();
-  return status;
-}
-
 ScanSource::Status AxesSource::Next(RadarScan* scan) {
   if (std::exchange(must_decide_, false)) {
-    while (held_back_.size() < kMaxScans) {
-      RadarScan next;
-      status_after_held_back_ = ReadNext(&next);
-      if (status_after_held_back_ != Status::kScan) break;
-      held_back_.push_back(std::move(next));
-    }
+    ahead_.Read(kMaxScans);
     Decide();
   }
-  if (!held_back_.empty()) {
-    *scan = std::move(held_back_.front());
-    held_back_.pop_front();
-  } else {
-    if (status_after_held_back_ != Status::kScan) return status_after_held_back_;
-    const Status status = ReadNext(scan);
-    if (status != Status::kScan) return status;
-  }
-  if (axes_.IsIdentity()) return Status::kScan;
+  const Status status = PassOn(ahead_.Next(scan), source_.get());
+  if (status != Status::kScan || axes_.IsIdentity()) return status;
   for (RadarReturn& ret : scan->returns) ret.position = axes_.Apply(ret.position);
   return Status::kScan;
 }
 
-ScanSource::Status AxesSource::Skip(int count) {
-  while (count > 0 && !held_back_.empty()) {
-    held_back_.pop_front();
-    --count;
-  }
-  if (count == 0) return Status::kScan;
-  if (status_after_held_back_ != Status::kScan) return status_after_held_back_;
-  const Status status = source_->Skip(count);
-  for (std::string& warning : source_->TakeWarnings()) warnings_.push_back(std::move(warning));
-  if (status == Status::kError) error_ = source_->error();
-  return status;
-}
+ScanSource::Status AxesSource::Skip(int count) { return PassOn(ahead_.Skip(count), source_.get()); }
 
 void AxesSource::Decide() {
   std::size_t num_returns = 0, num_x = 0, num_z = 0;
   double sum_y = 0.0, sum_z = 0.0;
-  for (const RadarScan& scan : held_back_) {
+  for (const RadarScan& scan : ahead_.held_back()) {
     for (const RadarReturn& ret : scan.returns) {
       if (!ret.position.allFinite() || ret.position.norm() < 1e-3) continue;
       ++num_returns;
@@ -126,7 +96,7 @@ void AxesSource::Decide() {
                 sizeof(text),
                 "%.0f %% of the returns of the first %d scans have x > 0, %.0f %% z > 0",
                 100.0 * x_share,
-                static_cast<int>(held_back_.size()),
+                static_cast<int>(ahead_.held_back().size()),
                 100.0 * z_share);
   reason_ = text;
 }

@@ -4,12 +4,12 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "radive/io/scan_lookahead.h"
 #include "radive/io/scan_source.h"
 
 namespace radive {
@@ -49,15 +49,13 @@ class AxesSource : public ScanSource {
   SourceFacts Facts() const override;
 
  private:
-  Status ReadNext(RadarScan* scan);
   void Decide();
 
   const std::unique_ptr<ScanSource> source_;
+  ScanLookahead ahead_;
   bool must_decide_ = false;
   SignedAxes axes_;
   std::string reason_;
-  std::deque<RadarScan> held_back_;
-  Status status_after_held_back_ = Status::kScan;
 };
 
 }  // namespace radive

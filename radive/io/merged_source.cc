@@ -18,14 +18,9 @@ MergedSource::MergedSource(std::vector<std::unique_ptr<ScanSource>> sources) {
 
 bool MergedSource::Read(Input* input) {
   if (input->is_read) return true;
-  input->status = input->source->Next(&input->next);
+  input->status = PassOn(input->source->Next(&input->next), input->source.get());
   input->is_read = true;
-  for (std::string& warning : input->source->TakeWarnings()) {
-    warnings_.push_back(std::move(warning));
-  }
-  if (input->status != Status::kError) return true;
-  error_ = input->source->error();
-  return false;
+  return input->status != Status::kError;
 }
 
 ScanSource::Status MergedSource::Next(RadarScan* scan) {

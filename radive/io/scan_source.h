@@ -67,6 +67,13 @@ class ScanSource {
   std::vector<std::string> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  protected:
+  // Takes over the warnings of a source that this one reads from, and its error after kError.
+  Status PassOn(Status status, ScanSource* source) {
+    for (std::string& warning : source->TakeWarnings()) warnings_.push_back(std::move(warning));
+    if (status == Status::kError) error_ = source->error();
+    return status;
+  }
+
   std::string error_;
   std::vector<std::string> warnings_;
 };

@@ -44,42 +44,23 @@ std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan) {
   return fit.v_radar;
 }
 
-ScanSource::Status DopplerSignSource::ReadNext(RadarScan* scan) {
-  const Status status = source_->Next(scan);
-  for (std::string& warning : source_->TakeWarnings()) warnings_.push_back(std::move(warning));
-  if (status == Status::kError) error_ = source_->error();
-  return status;
-}
-
 ScanSource::Status DopplerSignSource::Next(RadarScan* scan) {
   if (!has_looked_) {
     has_looked_ = true;
-    while (held_back_.size() < kMaxScans) {
-      RadarScan next;
-      status_after_held_back_ = ReadNext(&next);
-      if (status_after_held_back_ != Status::kScan) break;
-      held_back_.push_back(std::move(next));
-    }
+    ahead_.Read(kMaxScans);
     Decide();
   }
-  if (!held_back_.empty()) {
-    *scan = std::move(held_back_.front());
-    held_back_.pop_front();
-  } else {
-    if (status_after_held_back_ != Status::kScan) return status_after_held_back_;
-    const Status status = ReadNext(scan);
-    if (status != Status::kScan) return status;
-  }
-  if (sign_ < 0.0) {
+  const Status status = PassOn(ahead_.Next(scan), source_);
+  if (status == Status::kScan && sign_ < 0.0) {
     for (RadarReturn& ret : scan->returns) ret.doppler = -ret.doppler;
   }
-  return Status::kScan;
+  return status;
 }
 
 void DopplerSignSource::Decide() {
   std::vector<double> forward;  // of the moving scans [m/s]
   bool has_doppler = false;
-  for (const RadarScan& scan : held_back_) {
+  for (const RadarScan& scan : ahead_.held_back()) {
     has_doppler = has_doppler || scan.has_doppler;
     const std::optional<Eigen::Vector3d> v_radar =
         scan.has_doppler ? FitVelocity(scan) : std::nullopt;
@@ -106,7 +87,7 @@ void DopplerSignSource::Decide() {
                 is_decided_ ? (sign_ < 0.0 ? "-1" : "+1") : "undecided, +1 assumed",
                 median,
                 moving,
-                static_cast<int>(held_back_.size()),
+                static_cast<int>(ahead_.held_back().size()),
                 static_cast<int>(agreeing));
   evidence_ = text;
 }

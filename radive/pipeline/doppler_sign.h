@@ -5,11 +5,11 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "radive/io/scan_lookahead.h"
 #include "radive/io/scan_source.h"
 #include "radive/sensor/sensor_options.h"
 
@@ -29,7 +29,7 @@ class DopplerSignSource : public ScanSource {
 
   // `sensor` tells where the front of the vehicle is, seen from each of its radars.
   DopplerSignSource(ScanSource* source, const SensorOptions& sensor)
-      : source_(source), sensor_(sensor) {}
+      : source_(source), ahead_(source), sensor_(sensor) {}
 
   Status Next(RadarScan* scan) override;
   std::string Description() const override { return source_->Description(); }
@@ -45,19 +45,17 @@ class DopplerSignSource : public ScanSource {
   const std::string& evidence() const { return evidence_; }
 
  private:
-  Status ReadNext(RadarScan* scan);
   void Decide();
   // Of the vehicle's velocity, but for what its turning adds [m/s].
   double ForwardSpeed(const RadarScan& scan, const Eigen::Vector3d& v_radar) const;
 
   ScanSource* const source_;
+  ScanLookahead ahead_;
   const SensorOptions sensor_;
   bool has_looked_ = false;
   double sign_ = 1.0;
   bool is_decided_ = false;
   std::string evidence_;
-  std::deque<RadarScan> held_back_;
-  Status status_after_held_back_ = Status::kScan;
 };
 
 // Velocity of the radar in the radar frame from the Doppler as stored [m/s]; none when the returns
