@@ -13,7 +13,9 @@
 
 namespace radive {
 
-// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each.
+// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each. Scans
+// may be of several radars of one vehicle (RadarScan::radar, sensor.mounts): each has an odometry
+// of its own, and what these say of the vehicle's motion is averaged (see MotionFusion).
 //
 //   radive::Odometry odometry(options);
 //   for (const radive::RadarScan& scan : scans) {
