@@ -96,13 +96,12 @@ std::vector<RunRecord> Gather(const Study& study,
                               const std::vector<RunRecord>& unsaved) {
   std::vector<RunRecord> records;
   for (const StudyRun& run : runs) {
-    std::error_code ignored;
-    if (!run.sequence->is_simulated() && !fs::exists(run.sequence->input, ignored)) {
-      records.push_back(AbsentRecord(study, run));
-      continue;
-    }
     auto record = RunFolder(output, run).ReadRecord();
     if (record && record->config_hash != ConfigHash(study, run)) record.reset();
+    std::error_code ignored;
+    const bool is_absent =
+        !run.sequence->is_simulated() && !fs::exists(run.sequence->input, ignored);
+    if (is_absent && (!record || record->status != "ok")) record = AbsentRecord(study, run);
     for (const RunRecord& other : unsaved) {
       const bool is_same = other.sequence == run.sequence->name &&
                            other.variant == run.variant->name && other.seed == run.seed;

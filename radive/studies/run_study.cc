@@ -82,7 +82,7 @@ class StudyRunner {
       SharedInput* const input = InputOf(run);
       const std::string config_hash = ConfigHash(study_, run);
       RunRecord record = RecordFor(run, *input, config_hash);
-      if (input->hash && IsComplete(run, &record)) {
+      if (IsComplete(run, *input, &record)) {
         Count(record);
         ++num_before_;
       } else {
@@ -165,7 +165,7 @@ class StudyRunner {
       pending->next_try = Now() + kRetryInterval;
       return false;
     }
-    if (lock && IsComplete(run, &record)) {  // another process has done it
+    if (lock && IsComplete(run, *input, &record)) {  // another process has done it
       Count(record);
       return true;
     }
@@ -333,11 +333,16 @@ class StudyRunner {
     return record;
   }
 
-  // True when the folder of the run has a record with the hashes of `record`, which becomes it.
-  bool IsComplete(const StudyRun& run, RunRecord* record) const {
+  // True when the folder of the run has a record with the hashes of `record`, which becomes it. Of
+  // an input that is no longer there, results are kept as they are.
+  bool IsComplete(const StudyRun& run, const SharedInput& input, RunRecord* record) const {
+    const bool is_absent = input.input.IsAbsent();
+    if (!input.hash && !is_absent) return false;
     const auto found = RunFolder(request_.output, run).ReadRecord();
-    if (!found || !found->HasHashesOf(*record)) return false;
-    if (found->status != "ok" && request_.retry) return false;
+    if (!found) return false;
+    if (is_absent) record->input_hash = found->input_hash;
+    if (!found->HasHashesOf(*record)) return false;
+    if (found->status != "ok" && (request_.retry || is_absent)) return false;
     *record = *found;
     return true;
   }

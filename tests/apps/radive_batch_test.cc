@@ -217,6 +217,14 @@ TEST_F(RadiveBatch, ReportsWhatCannotBeReadAndFinishesTheRest) {
   EXPECT_THAT(Results("out"),
               HasSubstr("\nnowhere,default,0,absent," + In("nowhere").string() + ": no such file"));
   EXPECT_THAT(Results("out"), HasSubstr("\ntwo,default,1,ok,,"));
+  // Results outlive their input.
+  fs::copy(In("out") / "data/one/0", In("nowhere"), fs::copy_options::recursive);
+  Run("out");
+  EXPECT_THAT(Results("out"), HasSubstr("\nnowhere,default,0,ok,"));
+  fs::remove_all(In("nowhere"));
+  Run("out");
+  EXPECT_THAT(Results("out"), HasSubstr("\nnowhere,default,0,ok,"));
+  fs::remove_all(In("out") / "runs/nowhere");
   // Without a mark, a sequence that is not there is a failure.
   WriteStudy(std::string(kHead) + "  - {name: nowhere, input: nowhere}\n");
   EXPECT_EQ(Run("out").code, 2);
