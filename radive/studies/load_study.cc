@@ -161,6 +161,15 @@ class StudyReader {
                     text.ToString());
   }
 
+  bool ReadNames(const YAML::Node& node, const YAML::Mark& mark, std::vector<std::string>* names) {
+    SettingText text;
+    if (!ToSettingText(node, &text) || !text.is_list || text.words.empty()) {
+      return Fail(mark, "variants of a sequence must be a list of their names");
+    }
+    *names = text.words;
+    return true;
+  }
+
   fs::path BesideStudy(const std::string& path) const {
     return path.empty() ? fs::path() : (folder_ / path).lexically_normal();
   }
@@ -268,10 +277,15 @@ class StudyReader {
         [&](const std::string& key, const YAML::Node& value, const YAML::Mark& at) {
           if (key == "set") return ReadSet(value, at, &sequence.set);
           if (key == "drives") return ReadSeeds(value, key, at, &keys.drives);
+          if (key == "variants") return ReadNames(value, at, &sequence.variants);
           simulate.reset(value);
           return true;
         };
-    if (!ReadBlock(node, "sequence", std::move(fields), {"set", "drives", "simulate"}, special)) {
+    if (!ReadBlock(node,
+                   "sequence",
+                   std::move(fields),
+                   {"set", "drives", "simulate", "variants"},
+                   special)) {
       return false;
     }
     sequence.config = BesideStudy(keys.config.empty() ? study_.config : keys.config).string();
@@ -358,6 +372,15 @@ class StudyReader {
     std::set<std::string> variants;
     for (const StudyVariant& variant : study_.variants) {
       if (!CheckName(variant.name, variant.place, "variant", &variants)) return false;
+    }
+    for (const StudySequence& sequence : study_.sequences) {
+      for (const std::string& name : sequence.variants) {
+        if (variants.count(name) == 0) {
+          *error_ = sequence.place + "sequence " + sequence.name + " names the variant " + name +
+                    ", which the study does not have";
+          return false;
+        }
+      }
     }
     return true;
   }

@@ -26,10 +26,11 @@ struct StudySequence {
   SimulationOptions simulation;
   bool has_fixed_drive = false;  // simulation.seed counts, instead of the seed of the run
 
-  std::string config;  // configuration file; empty: the defaults
-  std::string set;     // settings on top, as --set takes them
-  int frames = 0;      // largest number of scans; 0: all
-  std::string place;   // "STUDY.yaml:12: ", for messages
+  std::string config;                 // configuration file; empty: the defaults
+  std::string set;                    // settings on top, as --set takes them
+  int frames = 0;                     // largest number of scans; 0: all
+  std::vector<std::string> variants;  // only these; empty: all
+  std::string place;                  // "STUDY.yaml:12: ", for messages
 
   bool is_simulated() const { return !scenario.empty(); }
 };

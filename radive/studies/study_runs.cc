@@ -37,6 +37,12 @@ std::string Joined(const std::vector<std::string>& settings) {
   return text;
 }
 
+bool HasVariant(const StudySequence& sequence, const StudyVariant& variant) {
+  const std::vector<std::string>& names = sequence.variants;
+  return names.empty() || std::find(names.begin(), names.end(), variant.name) != names.end();
+}
+
+// `configs`: one for each variant.
 std::vector<StudyRun> RunsOf(const Study& study,
                              const StudySequence& sequence,
                              const std::vector<RunConfig>& configs) {
@@ -46,6 +52,7 @@ std::vector<StudyRun> RunsOf(const Study& study,
   std::vector<StudyRun> runs;
   for (const int seed : study.seeds) {
     for (std::size_t i = 0; i < study.variants.size(); ++i) {
+      if (!HasVariant(sequence, study.variants[i])) continue;
       StudyRun run;
       run.sequence = &sequence;
       run.variant = &study.variants[i];

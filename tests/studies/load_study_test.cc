@@ -167,6 +167,10 @@ TEST(LoadStudy, SaysWhereAndWhatIsWrong) {
              "2: a scenario brings");
   fails_with("sequences:\n  - {name: a, input: b, inptu: c}\n", "2: unknown key sequence.inptu");
   fails_with("sequences:\n  - glob: nothing_*\n", "2: " + (scratch.path() / "nothing_*").string());
+  fails_with("sequences:\n  - {input: a, name: a, variants: b}\n",
+             "2: variants of a sequence must");
+  fails_with("sequences:\n  - {input: a, name: a, variants: [b]}\n",
+             "2: sequence a names the variant b, which the study does not have");
   fails_with("sequences: [\n", "2: not valid YAML");
 }
 
@@ -210,6 +214,18 @@ TEST(StudyRuns, AreSequencesTimesSeedsTimesVariants) {
   EXPECT_EQ(runs[1].config.odometry.submap.type, SubmapOptions::Type::kSdf);
   EXPECT_NE(ConfigHash(study, runs[0]), ConfigHash(study, runs[1]));
   EXPECT_EQ(ConfigHash(study, runs[0]), ConfigHash(study, Runs(study)[0]));
+}
+
+TEST(StudyRuns, ASequenceMayHaveSomeVariantsOnly) {
+  const ScratchFolder scratch;
+  const Study study = LoadStudyText(scratch.path(),
+                                    "sequences:\n"
+                                    "  - {name: a, input: a, variants: [w, u]}\n"
+                                    "  - {name: b, input: b}\n"
+                                    "variants:\n  - name: u\n  - name: v\n  - name: w\n");
+  std::vector<std::string> names;
+  for (const StudyRun& run : Runs(study)) names.push_back(run.Name());
+  EXPECT_THAT(names, ElementsAre("a/u/0", "a/w/0", "b/u/0", "b/v/0", "b/w/0"));
 }
 
 TEST(StudyRuns, PerturbationIsTheSameForAllVariants) {

@@ -48,7 +48,7 @@ TEST(ShippedStudies, CanBeRun) {
     std::string error;
     const auto runs = ListRuns(study, &error);
     ASSERT_TRUE(runs) << error;
-    EXPECT_GE(runs->size(), study.sequences.size() * study.variants.size()) << file;
+    EXPECT_GE(runs->size(), study.sequences.size()) << file;
     // A variant that changes nothing is a mistake.
     std::set<std::string> hashes;
     for (const StudyRun& run : *runs) {
