@@ -141,4 +141,8 @@ std::optional<RunConfig> LoadRunConfig(const std::string& yaml_path,
   return ParseRunConfig(yaml_text, yaml_path, set_text, error);
 }
 
+bool ApplySettings(const std::string& set_text, Stages stages, std::string* error) {
+  return ApplySet(set_text, &stages, error);
+}
+
 }  // namespace radive
