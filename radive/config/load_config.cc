@@ -141,7 +141,7 @@ std::optional<RunConfig> LoadRunConfig(const std::string& yaml_path,
   return ParseRunConfig(yaml_text, yaml_path, set_text, error);
 }
 
-bool ApplySettings(const std::string& set_text, Stages stages, std::string* error) {
+bool ApplySettings(const std::string& set_text, SettingStages stages, std::string* error) {
   return ApplySet(set_text, &stages, error);
 }
 

@@ -13,6 +13,7 @@
 
 #include "radive/config/run_config.h"
 #include "radive/config/yaml_settings.h"
+#include "radive/simulation/scenarios.h"
 #include "radive/util/natural_order.h"
 
 namespace radive {
