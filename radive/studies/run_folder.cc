@@ -12,19 +12,13 @@
 #include "radive/io/trajectory_io.h"
 #include "radive/io/whole_file.h"
 #include "radive/pipeline/output_file.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-std::string Replaced(std::string text, const std::string& what, const std::string& with) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
-    text.replace(at, what.size(), with);
-  }
-  return text;
-}
 
 Json ReadJson(const fs::path& file) {
   std::string text;
@@ -89,7 +83,7 @@ bool RunFolder::WriteRunJson(const RunRecord& record,
   if (json.contains("command_line") && json["command_line"].is_string()) {
     // As it can be given again.
     json["command_line"] =
-        Replaced(json["command_line"].get<std::string>(), partial_.string(), path_.string());
+        ReplaceAll(json["command_line"].get<std::string>(), partial_.string(), path_.string());
   }
   Json batch = RunRecordToJson(record);
   batch["reference"] = reference_path;

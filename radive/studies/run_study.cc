@@ -16,6 +16,7 @@
 #include "radive/studies/judge_run.h"
 #include "radive/studies/program_hash.h"
 #include "radive/studies/result_tables.h"
+#include "radive/studies/run_archive.h"
 #include "radive/studies/study_input.h"
 #include "radive/studies/study_runs.h"
 #include "radive/util/child_process.h"
@@ -60,7 +61,8 @@ class StudyRunner {
     const auto program_hash = ProgramHash(request_.program, error);
     const auto own_hash = program_hash ? ProgramHash("/proc/self/exe", error) : std::nullopt;
     if (!own_hash || !MakeStudyFolder(study_, request_.output, error)) return StudyStatus::kFailed;
-    program_hash_ = *program_hash;
+    archive_ = std::make_unique<RunArchive>(
+        RunArchive::Options{request_.output, *program_hash, request_.kept, request_.retry});
     simulator_hash_ = *own_hash;
     const std::vector<StudyRun> runs = Shard(*all, request_.shard, request_.num_shards);
     Start(runs);
@@ -68,7 +70,8 @@ class StudyRunner {
     jobs_.clear();  // kills what is still running
     progress_->Finish();
     std::string table_error;
-    const bool tables = WriteTables(study_, *all, request_.output, unsaved_, &table_error);
+    const bool tables =
+        WriteTables(study_, *all, request_.output, archive_->unsaved(), &table_error);
     if (!tables) Tell(table_error);
     Tell(Summary());
     if (interrupted) return StudyStatus::kInterrupted;
@@ -81,7 +84,7 @@ class StudyRunner {
     for (const StudyRun& run : runs) {
       SharedInput* const input = InputOf(run);
       const std::string config_hash = ConfigHash(study_, run);
-      RunRecord record = RecordFor(run, *input, config_hash);
+      RunRecord record = NewRecord(run, *input, config_hash);
       if (IsComplete(run, *input, &record)) {
         Count(record);
         ++num_before_;
@@ -112,11 +115,12 @@ class StudyRunner {
     const std::size_t num_to_do = pending_.size();
     while (!pending_.empty() || !jobs_.empty()) {
       if (request_.stop != nullptr && request_.stop->load()) return false;
-      const bool moved = EndJobs() | StartJobs();
+      const bool has_ended = EndJobs();
+      const bool has_started = StartJobs();
       std::size_t num_running = 0;
       for (const Job& job : jobs_) num_running += job.run != nullptr ? 1 : 0;
       progress_->Update(static_cast<int>(num_to_do - pending_.size() - num_running));
-      if (!moved) usleep(kPollInterval);
+      if (!has_ended && !has_started) usleep(kPollInterval);
     }
     return true;
   }
@@ -154,7 +158,7 @@ class StudyRunner {
       return true;
     }
     if (!PrepareInput(input)) return false;
-    RunRecord record = RecordFor(run, *input, pending->config_hash);
+    RunRecord record = NewRecord(run, *input, pending->config_hash);
     const RunFolder folder(request_.output, run);
     std::string error;
     std::optional<FileLock> lock;
@@ -179,9 +183,9 @@ class StudyRunner {
     record.status = "failed";
     record.message = input->failure.empty() ? error : input->failure;
     if (lock) {
-      Save(run, *input, record, {}, record.message + "\n");
+      archive_->Save(run, input->input.reference(), {}, record.message + "\n", &record);
     } else {
-      unsaved_.push_back(record);
+      archive_->KeepUnsaved(record);
     }
     Report(record);
     return true;
@@ -269,42 +273,8 @@ class StudyRunner {
              job->input->input.reference(),
              &reference,
              &job->record);
-    UseFinalPath(folder, &job->record.message);
-    Save(*job->run, *job->input, job->record, reference, end.output);
+    archive_->Save(*job->run, job->input->input.reference(), reference, end.output, &job->record);
     Report(job->record);
-  }
-
-  // Messages name the folder as it is called in the end, so that they are always the same.
-  static void UseFinalPath(const RunFolder& folder, std::string* message) {
-    const std::string partial = folder.partial().string();
-    for (std::size_t at = 0; (at = message->find(partial, at)) != std::string::npos;) {
-      message->replace(at, partial.size(), folder.path().string());
-    }
-  }
-
-  // Records what became of a run in its folder. When that fails, a full disk say, the record counts
-  // in this process alone, and the run is one that failed.
-  void Save(const StudyRun& run,
-            const SharedInput& input,
-            RunRecord& record,
-            const RecordedTrajectory& reference,
-            const std::string& log) {
-    const RunFolder folder(request_.output, run);
-    std::string error;
-    std::error_code code;
-    if (!fs::exists(folder.partial(), code)) folder.Begin(run, &error);
-    if (folder.Commit(
-            record, run, input.input.reference().string(), reference, log, request_.kept, &error)) {
-      return;
-    }
-    folder.Discard();
-    if (record.status == "ok") {
-      record.status = "failed";
-      record.message = error;
-      record.scores = RunScores();
-    }
-    UseFinalPath(folder, &record.message);
-    unsaved_.push_back(record);
   }
 
   std::vector<std::string> Command(const StudyRun& run,
@@ -320,31 +290,15 @@ class StudyRunner {
             "--quiet"};
   }
 
-  RunRecord RecordFor(const StudyRun& run,
+  RunRecord NewRecord(const StudyRun& run,
                       const SharedInput& input,
                       const std::string& config_hash) const {
-    RunRecord record;
-    record.sequence = run.sequence->name;
-    record.variant = run.variant->name;
-    record.seed = run.seed;
-    record.input_hash = input.hash.value_or("");
-    record.config_hash = config_hash;
-    record.program_hash = program_hash_;
-    return record;
+    return archive_->NewRecord(run, input.hash.value_or(""), config_hash);
   }
 
-  // True when the folder of the run has a record with the hashes of `record`, which becomes it. Of
-  // an input that is no longer there, results are kept as they are.
   bool IsComplete(const StudyRun& run, const SharedInput& input, RunRecord* record) const {
-    const bool is_absent = input.input.IsAbsent();
-    if (!input.hash && !is_absent) return false;
-    const auto found = RunFolder(request_.output, run).ReadRecord();
-    if (!found) return false;
-    if (is_absent) record->input_hash = found->input_hash;
-    if (!found->HasHashesOf(*record)) return false;
-    if (found->status != "ok" && (request_.retry || is_absent)) return false;
-    *record = *found;
-    return true;
+    if (input.hash) return archive_->IsComplete(run, record);
+    return input.input.IsAbsent() && archive_->IsCompleteWithoutInput(run, record);
   }
 
   void Count(const RunRecord& record) {
@@ -374,12 +328,11 @@ class StudyRunner {
   const Study& study_;
   const StudyRequest& request_;
   const Stopwatch stopwatch_;
-  std::string program_hash_;
   std::string simulator_hash_;
+  std::unique_ptr<RunArchive> archive_;
   std::map<std::string, std::unique_ptr<SharedInput>> inputs_;
   std::vector<Pending> pending_;
   std::vector<Job> jobs_;
-  std::vector<RunRecord> unsaved_;
   std::map<std::string, int> counts_;  // runs by status
   int num_before_ = 0;
   int num_failed_ = 0;

@@ -168,7 +168,7 @@ TEST(LoadStudy, SaysWhereAndWhatIsWrong) {
   fails_with("sequences:\n  - {name: a, input: b, inptu: c}\n", "2: unknown key sequence.inptu");
   fails_with("sequences:\n  - glob: nothing_*\n", "2: " + (scratch.path() / "nothing_*").string());
   fails_with("sequences:\n  - {input: a, name: a, variants: b}\n",
-             "2: variants of a sequence must");
+             "2: variants must be a list of names");
   fails_with("sequences:\n  - {input: a, name: a, variants: [b]}\n",
              "2: sequence a names the variant b, which the study does not have");
   fails_with("sequences: [\n", "2: not valid YAML");
