@@ -8,7 +8,7 @@ import sys
 
 from report import content, page, tables
 from report.run_files import FileError
-from report.study import read_study
+from report.study import read_study, split_name
 from report.trajectories import ALIGNMENTS, PLANES
 
 DESCRIPTION = """\
@@ -17,11 +17,13 @@ tables as LaTeX, and the figures as SVG and PDF.
 
   radive_report STUDY                          STUDY is the output folder of radive_batch
   radive_report RUN --reference GROUND_TRUTH   RUN is a results folder of radive_odometry
+  radive_report A=RUN B=RUN --output REPORT    several, with names; a file reference.tum in a RUN
+                                               is its ground truth
 
 Errors are those of radive_evaluate. Of a single run --align and --plane say which, of a study its
 study.json; the default of both is that of radive_batch: se3, xy.
 
-The output folder, report/ in the given one unless --output says otherwise, gets
+The output folder, by default report/ in the given one, gets
   report.html  report.md  tables.tex  figures/
 The same input gives the same bytes.
 """
@@ -33,7 +35,9 @@ def parse(arguments):
         description=DESCRIPTION,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("folder", type=pathlib.Path, help="output of radive_batch or radive_odometry")
+    parser.add_argument(
+        "folder", nargs="+", help="output of radive_batch or radive_odometry, [NAME=]FOLDER"
+    )
     parser.add_argument("--reference", type=pathlib.Path, help="true trajectory of a single run, TUM")
     parser.add_argument("--align", default="se3", choices=sorted(ALIGNMENTS), help="of a single run")
     parser.add_argument("--plane", default="xy", choices=sorted(PLANES), help="of a single run")
@@ -65,9 +69,11 @@ def write(path, text):
 
 
 def run(arguments):
+    if len(arguments.folder) > 1 and not arguments.output:
+        raise FileError("the report of several runs needs --output")
     study = read_study(arguments.folder, arguments.reference, arguments.align, arguments.plane)
     study.title = arguments.title or study.title
-    output = arguments.output or arguments.folder / "report"
+    output = arguments.output or split_name(arguments.folder[0])[1] / "report"
     pictures = output / "figures"
     pictures.mkdir(parents=True, exist_ok=True)
     for old in [*pictures.glob("*.svg"), *pictures.glob("*.pdf")]:

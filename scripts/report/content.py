@@ -56,14 +56,16 @@ def lead(study):
         (len(study.variants), "variant"),
         (result_tables.seeds(study), "seed"),
     )
-    return "A study of " + ", ".join(f"{n} {word}{'s' * (n != 1)}" for n, word in counts)
+    return ", ".join(f"{n} {word}{'s' * (n != 1)}" for n, word in counts)
 
 
 def facts(study):
     if study.is_single:
         return run_facts(study.runs[0])
-    finished = sum(run.is_ok for run in study.runs)
-    found = [("runs finished", f"{finished} of {len(study.runs)}")]
+    present = [run for run in study.runs if not run.is_absent]
+    found = [("runs finished", f"{sum(run.is_ok for run in present)} of {len(present)}")]
+    if len(present) < len(study.runs):
+        found.append(("runs without their data", f"{len(study.runs) - len(present)}"))
     path = sum(run.metric("path_length") for run in study.runs if run.metric("path_length") > 0)
     if path:
         found.append(("driven in all", f"{path / 1000:.1f} km"))
@@ -98,7 +100,7 @@ def section(study, sequence, typical, folder):
     ]
     mapped = next((run for run in drawn if len(run.map_points)), None)
     period = study.period_ms(sequence)
-    whose = "" if study.is_single else "The seed of the median ATE_t of each variant. "
+    whose = "" if result_tables.seeds(study) == 1 else "The seed of the median ATE_t of each variant. "
     pictures = (
         ("trajectory", "Trajectory", whose + "Seen from above, aligned to the ground truth."
          if any(run.errors for run in drawn) else whose + "Seen from above.",

@@ -22,14 +22,17 @@ METRICS = (
 
 def all_tables(study):
     tables = []
-    if study.is_single:
-        return time_tables(study)
     for name, caption, metrics, heads, unit in METRICS:
         if any(not math.isnan(run.metric(metric)) for run in study.runs for metric in metrics):
             tables += metric_tables(study, name, f"{caption}, {unit}", metrics, heads)
             if name == "ate":
                 tables += comparison_tables(study) + spread_tables(study)
-    return tables + time_tables(study) + failure_tables(study)
+    tables += time_tables(study)
+    return [table for table in tables if has_content(table)] + failure_tables(study)
+
+
+def has_content(table):
+    return any(cell.text not in (FAILED, ABSENT, "") for _, row in table.rows for cell in row)
 
 
 def split(study, name, caption, make):
@@ -204,16 +207,17 @@ def time_tables(study):
             notes=["In brackets the time between scans: the limit of real time."],
         )
 
-    tables = split(study, "time", "Time per scan, ms", make)
-    return [t for t in tables if any(c.text != FAILED for _, row in t.rows for c in row)]
+    return split(study, "time", "Time per scan, ms", make)
 
 
 def time_column(study, sequence, which):
-    values = []
+    values, texts = [], []
     for variant in study.variants:
         times = study.values(sequence, variant, lambda run: run.scan_time(which))
         values.append(statistics.median(times) if times else math.nan)
-    return ranked(values, [decimals(value, 2) for value in values])
+        is_absent = all(run.is_absent for run in study.of(sequence, variant))
+        texts.append(ABSENT if is_absent else decimals(values[-1], 2))
+    return ranked(values, texts)
 
 
 def failure_tables(study):

@@ -18,6 +18,7 @@ from report.run_files import FileError, number
 METRICS = ("ate_t", "ate_r", "rpe_t", "rpe_r")
 RESULT_COLUMNS = ("sequence", "variant", "seed", "status", "message", *METRICS)
 SUMMARY_COLUMNS = ("variant", "sequence", "metric", "runs", "ok", "median", "q25", "q75")
+RADIVE = "RaDiVe"  # the variant of runs that are of no study
 TRAJECTORY_NAMES = ("trajectory_tum.txt", "trajectory.tum")
 MAP_NAMES = ("map.ply", "surface.ply")
 
@@ -154,21 +155,46 @@ class Study:
         return measured[(len(measured) - 1) // 2] if measured else (runs[0] if runs else None)
 
 
-def read_study(folder, reference=None, align="se3", plane="xy"):
-    """The study in `folder`. The other arguments are for a single run: its ground truth, TUM."""
-    folder = pathlib.Path(folder)
-    if not folder.is_dir():
-        raise FileError(f"{folder}: no such folder, expected one of radive_batch or radive_odometry")
-    if (folder / "results.csv").is_file():
-        if reference:
-            raise FileError("a reference goes with a single run; a study has its own")
-        return read_batch(folder)
-    if any((folder / name).is_file() for name in TRAJECTORY_NAMES):
-        return read_single(folder, reference, align, plane)
-    raise FileError(
-        f"{folder}: neither results.csv (of radive_batch) nor trajectory_tum.txt (of "
-        "radive_odometry) is in it"
+def read_study(folders, reference=None, align="se3", plane="xy"):
+    """The study of `folders`: one of radive_batch, or results folders, each as [NAME=]FOLDER.
+
+    The other arguments are for results folders: ground truth of a single one, TUM, and what of
+    the difference counts.
+    """
+    named = [split_name(str(folder)) for folder in folders]
+    for _, folder in named:
+        if not folder.is_dir():
+            raise FileError(
+                f"{folder}: no such folder, expected one of radive_batch or radive_odometry"
+            )
+    first = named[0][1]
+    if (first / "results.csv").is_file():
+        if reference or len(named) > 1:
+            raise FileError(f"{first} is a study: it stands alone and has its own references")
+        return read_batch(first)
+    if reference and len(named) > 1:
+        raise FileError("a reference is for one run; of several each has a reference.tum")
+    names = [name for name, _ in named]
+    if len(set(names)) < len(names):
+        raise FileError("two runs have the same name; say NAME=FOLDER")
+    runs = [read_run(name, folder, reference, align, plane) for name, folder in named]
+    return Study(
+        title=names[0] if len(runs) == 1 else "Runs",
+        runs=runs,
+        sequences=names,
+        variants=[RADIVE],
+        is_single=len(runs) == 1,
+        align=align,
+        plane=plane,
     )
+
+
+def split_name(argument):
+    """[NAME=]FOLDER; without a name the folder's own."""
+    name, separator, folder = argument.partition("=")
+    if separator and not pathlib.Path(argument).exists():
+        return name, pathlib.Path(folder)
+    return pathlib.Path(argument).resolve().name, pathlib.Path(argument)
 
 
 def optional_csv(path, needed=()):
@@ -229,14 +255,18 @@ def in_order(planned, found):
     return list(dict.fromkeys(names + found))
 
 
-def read_single(folder, reference, align, plane):
+def read_run(name, folder, reference, align, plane):
+    if not any((folder / trajectory).is_file() for trajectory in TRAJECTORY_NAMES):
+        raise FileError(
+            f"{folder}: neither results.csv (of radive_batch) nor trajectory_tum.txt (of "
+            "radive_odometry) is in it"
+        )
     truth = pathlib.Path(reference) if reference else folder / "reference.tum"
     if reference and not truth.is_file():
         raise FileError(f"{truth}: no such file, expected the true trajectory, TUM")
-    name = folder.resolve().name
     run = Run(
         sequence=name,
-        variant="RaDiVe",
+        variant=RADIVE,
         seed="",
         folder=folder,
         reference_file=truth if truth.is_file() else None,
@@ -252,12 +282,5 @@ def read_single(folder, reference, align, plane):
         ate_t, ate_r = run.errors.rmse()
         run.row.update(ate_t=str(ate_t), ate_r=str(math.degrees(ate_r)))
     run.row["path_length"] = str(trajectories.distance_travelled(run.estimate)[-1])
-    return Study(
-        title=name,
-        runs=[run],
-        sequences=[name],
-        variants=["RaDiVe"],
-        is_single=True,
-        align=align,
-        plane=plane,
-    )
+    run.row["scans"] = str(len(run.estimate))
+    return run

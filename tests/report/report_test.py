@@ -150,7 +150,7 @@ class TablesTest(unittest.TestCase):
 class StudyTest(ScratchTest):
     def setUp(self):
         super().setUp()
-        self.study = study.read_study(write_study(self.scratch))
+        self.study = study.read_study([write_study(self.scratch)])
 
     def cells(self, name):
         table = next(t for t in result_tables.all_tables(self.study) if t.name == name)
@@ -248,6 +248,20 @@ class CommandTest(ScratchTest):
         # The last pose stands on the first, which draws the centre by 1/60 of a radius.
         self.assertRegex(text, r"- ATE translation: 1\.99\d m|- ATE translation: 2\.00\d m")
         self.assertIn("- scans: 60", text)
+
+    def test_several_runs_with_names(self):
+        for name, scale in (("a", 1.1), ("b", 1.05)):
+            estimate = circle()
+            estimate[:, 1:4] *= scale
+            write_run(self.scratch / name / "results", estimate, circle())
+        runs = [f"{name}={self.scratch / name / 'results'}" for name in "ab"]
+        status, _, error = self.run_command(*runs)
+        self.assertEqual((status, error), (1, "radive_report: the report of several runs needs --output\n"))
+        status, _, _ = self.run_command(*runs, "--output", self.scratch / "report")
+        self.assertEqual(status, 0)
+        text = (self.scratch / "report" / "report.md").read_text()
+        self.assertIn("| a ATE\\_t | a ATE\\_r | b ATE\\_t | b ATE\\_r |", text)
+        self.assertRegex(text, r"\| RaDiVe \| (1\.99|2\.00)\d \| 0\.\d+ \| (0\.99|1\.00)\d \|")
 
     def test_errors_are_a_sentence(self):
         status, _, error = self.run_command(self.scratch)
