@@ -5,7 +5,7 @@
 import dataclasses
 import re
 
-from report import figures, result_tables, theme, trajectories, viewer
+from report import figures, result_tables, surface_figures, theme, trajectories, viewer
 
 
 @dataclasses.dataclass
@@ -112,6 +112,11 @@ def section(study, sequence, typical, folder):
         ("ape", "Absolute pose error", "Median, quartiles, 5th and 95th percentile over all poses"
          + (" of all seeds." if result_tables.seeds(study) > 1 else "."),
          figures.ape_figure(all_errors)),
+        ("surface", "Surface points", "The neural submap where it is densest, before and after the "
+         "extraction of surface points; blue: the side that the radar saw.",
+         figures_of(drawn, surface_figures.extraction_figure)),
+        ("slice", "Slice of the field", "Signed distance at one height; the line is its zero.",
+         figures_of(drawn, surface_figures.slice_figure)),
         ("time", "Time per scan", "Running median over 25 scans; the dotted line is the time "
          "between scans.", figures.time_figure(runs, period)),
     )  # fmt: skip
@@ -121,9 +126,15 @@ def section(study, sequence, typical, folder):
     for kind, title, caption, figure in pictures:
         if figure is not None:
             name = f"{stem}_{kind}"
-            result.figures.append((title, caption, theme.finish(figure, name, folder)))
+            svg = theme.finish(figure, name, folder, dpi=170 if len(study.sequences) < 7 else 100)
+            result.figures.append((title, caption, svg))
             result.files.append((title, name))
     return result
+
+
+def figures_of(runs, draw):
+    """The figure of the first run that has one."""
+    return next((figure for figure in map(draw, runs) if figure is not None), None)
 
 
 def sequence_lead(drawn, period):

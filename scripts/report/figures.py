@@ -8,6 +8,9 @@ from report import theme
 from report.theme import MUTED, TRUTH, new_figure, series_style
 
 
+MOST_OF_A_LINE = 1500  # poses: more cannot be seen, and the page carries them
+
+
 def widen(axes):
     """A straight drive is no line without height: the shorter side gets a third of the longer one."""
     x, y = axes.get_xlim(), axes.get_ylim()
@@ -67,9 +70,10 @@ def trajectory_figure(runs):
     figure, axes = view_from_above(np.minimum(low, shown.min(0)), np.maximum(high, shown.max(0)))
     if truth is not None:
         label = "ground truth"
-        axes.plot(*truth[:, 1:3].T, color=TRUTH[0], linewidth=4.5, alpha=0.6, label=label)
+        path = thinned(truth, MOST_OF_A_LINE)[:, 1:3]
+        axes.plot(*path.T, color=TRUTH[0], linewidth=4.5, alpha=0.6, label=label)
     for index, name, positions in lines:
-        axes.plot(*positions[:, :2].T, label=name, **series_style(index))
+        axes.plot(*thinned(positions, MOST_OF_A_LINE)[:, :2].T, label=name, **series_style(index))
     start = lines[0][2][0]
     axes.plot(*start[:2], "o", color=theme.INK[0], markersize=5, label="start", zorder=5)
     legend(axes)
@@ -84,8 +88,9 @@ def error_figure(runs):
     figure, (upper, lower) = new_figure(6.4, 4.6, nrows=2, sharex=True)
     for index, name, errors in runs:
         style = series_style(index)
-        upper.plot(errors.distance, errors.translation, label=name, **style)
-        lower.plot(errors.distance, np.degrees(errors.rotation), **style)
+        distance = thinned(errors.distance, MOST_OF_A_LINE)
+        upper.plot(distance, thinned(errors.translation, MOST_OF_A_LINE), label=name, **style)
+        lower.plot(distance, np.degrees(thinned(errors.rotation, MOST_OF_A_LINE)), **style)
     upper.set(ylabel="position error [m]")
     lower.set(ylabel="rotation error [°]", xlabel="distance travelled [m]")
     for axes in (upper, lower):
@@ -151,7 +156,8 @@ def time_figure(runs, limit_ms):
         if len(runs) <= 2:
             axes.plot(total, ".", color=style["color"], markersize=2, alpha=0.35, rasterized=True)
         smooth = rolling(total, window, np.nanmedian)
-        axes.plot(smooth, label=name, **style)
+        scans = thinned(np.arange(len(smooth)), MOST_OF_A_LINE)
+        axes.plot(scans, smooth[scans], label=name, **style)
         lowest = min(lowest, np.nanmin(smooth))
     if limit_ms:
         axes.axhline(limit_ms, color=theme.LIMIT[0], linewidth=1.2, linestyle=(0, (1, 1.5)))

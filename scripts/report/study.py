@@ -20,7 +20,6 @@ RESULT_COLUMNS = ("sequence", "variant", "seed", "status", "message", *METRICS)
 SUMMARY_COLUMNS = ("variant", "sequence", "metric", "runs", "ok", "median", "q25", "q75")
 RADIVE = "RaDiVe"  # the variant of runs that are of no study
 TRAJECTORY_NAMES = ("trajectory_tum.txt", "trajectory.tum")
-MAP_NAMES = ("map.ply", "surface.ply")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,8 +78,13 @@ class Run:
     @functools.cached_property
     def map_points(self):
         """N x 3 [m] in the frame of the estimate; empty where there is no map."""
-        path = self._first_file(MAP_NAMES)
+        path = self._first_file(("map.ply",))
         return run_files.read_points(path) if path else np.empty((0, 3))
+
+    def ply(self, name):
+        """The vertices of a PLY file of the run by property, None where there is no such file."""
+        path = self._first_file((name,))
+        return run_files.read_ply(path) if path else None
 
     @functools.cached_property
     def times(self):

@@ -91,8 +91,11 @@ def new_figure(width, height, **grid):
     return plt.subplots(figsize=(width, height), layout="constrained", **grid)
 
 
-def finish(figure, name, folder):
-    """Writes folder/NAME.svg and .pdf, closes the figure and returns the SVG for the page."""
+def finish(figure, name, folder, dpi):
+    """Writes folder/NAME.svg and .pdf, closes the figure and returns the SVG for the page.
+
+    `dpi` is that of the parts that are pixels: clouds of points.
+    """
     text = {}
     for form, metadata in (("svg", {"Date": None}), ("pdf", {"CreationDate": None})):
         with plt.rc_context({"svg.hashsalt": name}):
@@ -100,7 +103,7 @@ def finish(figure, name, folder):
             figure.savefig(
                 buffer,
                 format=form,
-                dpi=170,
+                dpi=dpi,
                 metadata=metadata,
                 facecolor=PANEL[0] if form == "svg" else "none",
             )

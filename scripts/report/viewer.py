@@ -19,9 +19,9 @@ import numpy as np
 from report.figures import thinned
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "viewer"
-MOST_POSES = 3000
-MOST_POINTS = 60000  # of a scene ...
-MOST_POINTS_OF_ALL = 400000  # ... and of the page, which stays below about 8 MB
+# Of a scene, and of all scenes of the page together: they stay below about 8 MB.
+MOST_POSES, MOST_POSES_OF_ALL = 3000, 60000
+MOST_POINTS, MOST_POINTS_OF_ALL = 60000, 400000
 REVEAL_RANGE = 40.0  # a point shows once the radar is this near [m], or at its nearest
 
 
@@ -32,19 +32,21 @@ def encoded(array, form):
 def scenes(entries):
     """`entries` are (sequence, variant, run). Runs without a trajectory are left out."""
     entries = [entry for entry in entries if entry[2] is not None]
-    share = min(MOST_POINTS, MOST_POINTS_OF_ALL // max(1, len(entries)))
-    return [scene(*entry, share) for entry in entries]
+    count = max(1, len(entries))
+    most_poses = min(MOST_POSES, MOST_POSES_OF_ALL // count)
+    most_points = min(MOST_POINTS, MOST_POINTS_OF_ALL // count)
+    return [scene(*entry, most_poses, most_points) for entry in entries]
 
 
-def scene(sequence, variant, run, most_points):
-    poses = thinned(run.estimate, MOST_POSES)
+def scene(sequence, variant, run, most_poses, most_points):
+    poses = thinned(run.estimate, most_poses)
     origin = np.round(poses[0, 1:4], 3)
     errors = np.full(len(poses), np.nan)
     truth = np.empty((0, 3))
     if run.errors:
         rotation, translation = run.errors.transform
         errors = errors_at(poses[:, 0], run.errors)
-        truth = (thinned(run.reference, MOST_POSES)[:, 1:4] - translation) @ rotation - origin
+        truth = (thinned(run.reference, most_poses)[:, 1:4] - translation) @ rotation - origin
     local = poses[:, 1:].copy()
     local[:, :3] -= origin
     points, shown = revealed(thinned(run.map_points, most_points) - origin, local[:, :3])
