@@ -56,6 +56,7 @@ class Odometry::Impl {
   }
 
   OdometryResult AddScan(const RadarScan& scan);
+  std::vector<SurfaceRecord> TakeSurfaceRecords();
 
   std::vector<std::string> notes_;
 
@@ -266,12 +267,22 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   return result;
 }
 
+std::vector<SurfaceRecord> Odometry::Impl::TakeSurfaceRecords() {
+  std::vector<SurfaceRecord> records;
+  for (auto& radar : radars_) {
+    std::optional<SurfaceRecord> record = radar.second.submap->TakeSurfaceRecord();
+    if (record) records.push_back(std::move(*record));
+  }
+  return records;
+}
+
 Odometry::Odometry(const OdometryOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Odometry::~Odometry() = default;
 Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
 OdometryResult Odometry::AddScan(const RadarScan& scan) { return impl_->AddScan(scan); }
+std::vector<SurfaceRecord> Odometry::TakeSurfaceRecords() { return impl_->TakeSurfaceRecords(); }
 std::vector<std::string> Odometry::TakeNotes() { return std::exchange(impl_->notes_, {}); }
 
 }  // namespace radive

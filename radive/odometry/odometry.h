@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "radive/neural_map/surface_record.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/odometry/odometry_result.h"
 #include "radive/sensor/radar_scan.h"
@@ -36,6 +37,11 @@ class Odometry {
   // Remarks worth a line in the log ("scans carry no Doppler: ego velocity and weights are off").
   // Cleared by the call.
   std::vector<std::string> TakeNotes();
+
+  // What the neural submaps have learned of the surface over the whole drive, one record a radar,
+  // in the world frame: for maps, at the end of a drive. Empty unless options.sdf_submap.record is
+  // set, and of radars whose submap stayed raw. Ends the recording.
+  std::vector<SurfaceRecord> TakeSurfaceRecords();
 
  private:
   class Impl;

@@ -12,6 +12,7 @@ from report.tables import ABSENT, FAILED, Cell, Table, decimals, ranked, rows_of
 
 SEQUENCES_A_TABLE = 4  # as in the paper: what fits a column of it
 MOST_FAILURES = 100
+PUBLISHED = "†"
 METRICS = (
     ("ate", "Absolute trajectory error", ("ate_t", "ate_r"), ("ATE_t", "ATE_r"), "m and degrees"),
     ("rpe", "Relative pose error", ("rpe_t", "rpe_r"), ("RPE_t", "RPE_r"), "m and degrees"),
@@ -51,14 +52,31 @@ def labels(study, variants=None):
     return [study.label(variant) for variant in (study.variants if variants is None else variants)]
 
 
-def metric_tables(study, name, caption, metrics, heads):
-    published = []
-    if name == "ate":
-        published = list(dict.fromkeys(row["method"] for row in study.published))
+def published_methods(study, sequences, metrics):
+    """Whose published figures stand beside those of the study, in the order of the file."""
+    rows = [row for row in study.published if row["sequence"] in sequences]
+    return list(dict.fromkeys(r["method"] for r in rows if any(r.get(m) for m in metrics)))
 
+
+def published_column(study, sequence, metric, methods):
+    """Values and texts."""
+    values, texts = [], []
+    for method in methods:
+        rows = [r for r in study.published if (r["sequence"], r["method"]) == (sequence, method)]
+        values.append(number(rows[0].get(metric)) if rows else math.nan)
+        texts.append(decimals(values[-1], 2 if metric == "ms_per_scan" else 3) if rows else "")
+    return values, texts
+
+
+def names_with(published, names):
+    return [f"{method} {PUBLISHED}" for method in published] + names
+
+
+def metric_tables(study, name, caption, metrics, heads):
     def make(sequences, name, caption):
+        published = published_methods(study, sequences, metrics)
         columns = [metric_column(study, s, metric, published) for s in sequences for metric in metrics]
-        names = [f"{method} (published)" for method in published] + labels(study)
+        names = names_with(published, labels(study))
         table = Table(
             name,
             caption,
@@ -73,18 +91,15 @@ def metric_tables(study, name, caption, metrics, heads):
 
 
 def metric_column(study, sequence, metric, published):
-    values, texts, notes = [], [], []
-    for method in published:
-        rows = [r for r in study.published if (r["sequence"], r["method"]) == (sequence, method)]
-        values.append(number(rows[0][metric]) if rows else math.nan)
-        texts.append(decimals(values[-1]) if rows else "")
-        notes.append("")
+    values, texts = published_column(study, sequence, metric, published)
+    notes = [""] * len(values)
     for variant in study.variants:
-        runs = [run for run in study.of(sequence, variant) if not run.is_absent]
+        planned = study.of(sequence, variant)
+        runs = [run for run in planned if not run.is_absent]
         found = study.values(sequence, variant, lambda run: run.metric(metric))
         is_measured = 2 * len(found) > len(runs)
         values.append(statistics.median(found) if is_measured else math.nan)
-        texts.append(decimals(values[-1]) if runs else ABSENT)
+        texts.append(decimals(values[-1]) if runs else ABSENT if planned else "")
         notes.append(f"({len(found)}/{len(runs)})" if 0 < len(found) < len(runs) else "")
     return ranked(values, texts, notes)
 
@@ -103,6 +118,8 @@ def metric_notes(study, table):
         notes.append("(k/n): k of n runs succeeded.")
     if any(cell.text == ABSENT for cell in cells):
         notes.append(f"{ABSENT}: the data are not on this machine.")
+    if any(name.endswith(PUBLISHED) for name, _ in table.rows):
+        notes.append(f"{PUBLISHED}: as published, not run here.")
     return notes
 
 
@@ -193,30 +210,39 @@ def time_tables(study):
 
     def make(sequences, name, caption):
         groups, columns = [], []
+        published = published_methods(study, sequences, ("ms_per_scan",))
         for sequence in sequences:
             period = study.period_ms(sequence)
             groups.append((f"{sequence} ({period:.0f} ms)" if period else sequence, 2))
             for which in ("median", "p95"):
-                columns.append(time_column(study, sequence, which))
+                columns.append(time_column(study, sequence, which, published))
+        notes = ["In brackets the time between scans: the limit of real time."]
+        if published:
+            notes.append(f"{PUBLISHED}: as published (mean), on another machine.")
         return Table(
             name,
             caption,
             columns=["median", "95 %"] * len(sequences),
             groups=groups,
-            rows=rows_of_columns(labels(study), columns),
-            notes=["In brackets the time between scans: the limit of real time."],
+            rows=rows_of_columns(names_with(published, labels(study)), columns),
+            notes=notes,
         )
 
     return split(study, "time", "Time per scan, ms", make)
 
 
-def time_column(study, sequence, which):
-    values, texts = [], []
+def time_column(study, sequence, which, published):
+    metric = "ms_per_scan" if which == "median" else ""
+    values, texts = published_column(study, sequence, metric, published)
+    texts = [text if metric else "" for text in texts]
+    values = [math.nan] * len(values)  # no rank: another machine
     for variant in study.variants:
         times = study.values(sequence, variant, lambda run: run.scan_time(which))
         values.append(statistics.median(times) if times else math.nan)
-        is_absent = all(run.is_absent for run in study.of(sequence, variant))
-        texts.append(ABSENT if is_absent else decimals(values[-1], 2))
+        planned = study.of(sequence, variant)
+        is_absent = all(run.is_absent for run in planned)
+        text = ABSENT if planned else ""
+        texts.append(text if is_absent else decimals(values[-1], 2))
     return ranked(values, texts)
 
 

@@ -231,7 +231,7 @@ def read_batch(folder):
         variants=in_order(variants, (run.variant for run in runs)),
         labels={variant["name"]: variant.get("label", "") for variant in variants},
         summary=optional_csv(folder / "summary.csv", SUMMARY_COLUMNS),
-        published=optional_csv(folder / "published.csv", ("sequence", "method", "ate_t", "ate_r")),
+        published=optional_csv(folder / "published.csv", ("sequence", "method")),
         align=align,
         plane=plane,
     )

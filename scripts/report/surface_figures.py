@@ -6,20 +6,21 @@ As in the paper blue is positive (the side that the radar saw) and red negative.
 """
 
 import matplotlib.colors
+import matplotlib.ticker
 import numpy as np
 
 from report import theme
 
-WINDOW = 60.0  # edge of the square that is shown [m]
+WINDOW, SLICE_WINDOW = 60.0, 40.0  # edges of the squares that are shown [m]
 SDF_MAP = matplotlib.colors.LinearSegmentedColormap.from_list(
     "sdf", ["#b2182b", "#d6604d", "#9aa1a9", "#4393c3", "#2166ac"]
 )
 
 
-def window(points, path):
+def window(points, path, edge):
     """Low and high corner (x, y) of the square about the pose with the most points around it."""
     coarse = path[:: max(1, len(path) // 200)]
-    half = WINDOW / 2
+    half = edge / 2
     counts = [(np.abs(points[:, :2] - pose).max(1) < half).sum() for pose in coarse]
     center = coarse[int(np.argmax(counts))]
     return center - half, center + half
@@ -41,9 +42,16 @@ def limits(axes, low, high):
 
 def colour_bar(figure, drawn, axes):
     bar = figure.colorbar(
-        drawn, ax=axes, label="signed distance [m]", location="top", shrink=0.5, pad=0.03, aspect=36
+        drawn, ax=axes, label="signed distance [m]", location="top", shrink=0.7, pad=0.03, aspect=30
     )
     bar.outline.set_visible(False)
+    bar.locator = matplotlib.ticker.MaxNLocator(5, steps=[1, 2, 5])
+    bar.update_ticks()
+
+
+def scale(points):
+    """Most of the distances are within this [m]."""
+    return max(float(np.percentile(np.abs(points[:, 3]), 90)), 0.02) if len(points) else 1.0
 
 
 def extraction_figure(run):
@@ -52,10 +60,9 @@ def extraction_figure(run):
     if before is None or after is None or "sdf" not in after or not len(before["x"]):
         return None
     before, after = vertices(before), vertices(after)
-    low, high = window(before, run.estimate[:, 1:3])
+    low, high = window(before, run.estimate[:, 1:3], WINDOW)
     before, after = inside(before, low, high), inside(after, low, high)
-    largest = max(float(np.percentile(np.abs(before[:, 3]), 90)), 0.05) if len(before) else 1.0
-    figure, both = theme.new_figure(6.4, 3.9, ncols=2, sharey=True)
+    figure, both = theme.new_figure(6.4, 4.2, ncols=2, sharey=True)
     for axes, points, title in zip(both, (before, after), ("before extraction", "after extraction")):
         order = np.argsort(np.abs(points[:, 3]), kind="stable")[::-1]
         drawn = axes.scatter(
@@ -63,16 +70,16 @@ def extraction_figure(run):
             s=1.6,
             c=points[order, 3],
             cmap=SDF_MAP,
-            vmin=-largest,
-            vmax=largest,
+            vmin=-scale(points),
+            vmax=scale(points),
             linewidths=0,
             rasterized=True,
         )
         axes.plot(*run.estimate[:, 1:3].T, color=theme.INK[0], linewidth=1)
-        axes.set_title(f"{title}: {len(points):,} points", fontsize=9, loc="left")
+        axes.set_title(f"{title}: {len(points):,}", fontsize=9)
         limits(axes, low, high)
+        colour_bar(figure, drawn, axes)
     both[0].set(ylabel="y [m]")
-    colour_bar(figure, drawn, both)
     return figure
 
 
@@ -82,7 +89,7 @@ def slice_figure(run):
     if slice_ply is None or len(slice_ply["x"]) < 10:
         return None
     points = vertices(slice_ply)
-    low, high = window(points, run.estimate[:, 1:3])
+    low, high = window(points, run.estimate[:, 1:3], SLICE_WINDOW)
     points = inside(points, low, high)
     # The vertices lie on a grid: the smallest step along x is its spacing.
     steps = np.diff(np.unique(points[:, 0]))
@@ -101,7 +108,7 @@ def slice_figure(run):
     x = low[0] + spacing * np.arange(image.shape[1])
     y = low[1] + spacing * np.arange(image.shape[0])
     if (image < 0).any() and (image > 0).any():
-        axes.contour(x, y, image, levels=[0], colors=theme.INK[0], linewidths=1)
+        axes.contour(x, y, image, levels=[0], colors=theme.INK[0], linewidths=0.6)
     axes.plot(*run.estimate[:, 1:3].T, color=theme.SERIES[1][0], linewidth=1.2)
     limits(axes, low, high)
     axes.set(ylabel="y [m]")

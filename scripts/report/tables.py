@@ -125,7 +125,7 @@ LATEX_SPECIAL = {
     "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#", "_": r"\_",
     "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
     "–": "--", "±": r"$\pm$", "×": r"$\times$", "°": r"$^\circ$", "−": "$-$",
-    "…": r"\ldots{}", "≥": r"$\geq$", "≤": r"$\leq$",
+    "…": r"\ldots{}", "†": r"$^\dagger$", "≥": r"$\geq$", "≤": r"$\leq$",
 }  # fmt: skip
 
 

@@ -41,9 +41,9 @@ def write_tum(path, poses):
     path.write_text("".join(" ".join(f"{v:.9f}" for v in row) + "\n" for row in poses))
 
 
-def write_ply(path, points):
+def write_ply(path, points, properties=("x", "y", "z")):
     head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n"
-    head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
+    head += "".join(f"property float {name}\n" for name in properties) + "end_header\n"
     path.write_bytes(head.encode() + np.asarray(points, "<f4").tobytes())
 
 
@@ -58,6 +58,22 @@ def write_run(folder, estimate, reference=None, ms=5.0):
     cloud = estimate[:, 1:4].repeat(20, axis=0) + random.normal(0, 5, (20 * len(estimate), 3))
     write_ply(folder / "map.ply", cloud)
     (folder / "run.json").write_text(json.dumps({"version": "0.1.0", "source": "made-up scans"}))
+
+
+def write_surface(folder):
+    """A wall along x = 5 m, with the files of output.map: mesh."""
+    random = np.random.default_rng(2)
+    points = np.zeros((500, 8))
+    points[:, :3] = random.uniform([4, -10, -1], [6, 10, 1], (500, 3))
+    points[:, 3] = -1
+    points[:, 6] = 5 - points[:, 0]
+    points[:, 7] = 3
+    names = ("x", "y", "z", "nx", "ny", "nz", "sdf", "certainty")
+    write_ply(folder / "neural_points.ply", points, names)
+    write_ply(folder / "map.ply", points[np.abs(points[:, 6]) < 0.1], names)
+    y, x = np.mgrid[-10:10.1:0.25, 4:6.1:0.25]
+    grid = np.stack([x, y, 0 * x, 5 - x, 0 * x + 3], -1).reshape(-1, 5)
+    write_ply(folder / "sdf_slice.ply", grid, ("x", "y", "z", "sdf", "certainty"))
 
 
 def noisy(truth, sigma, seed):

@@ -165,11 +165,25 @@ class StudyTest(ScratchTest):
     def test_error_table(self):
         # base 2 and 3, ours 1 and 2; the paper's 1.2 lies between the medians 2.5 and 1.5.
         cells = self.cells("ate")
-        absent = ("n/a", 0, "")
-        self.assertEqual(cells["Paper (published)"][:3], [("1.200", 1, ""), ("30.000", 0, ""), ("-", 0, "")])
+        absent, failed = ("n/a", 0, ""), ("-", 0, "")
+        self.assertEqual(cells["Paper †"], [("1.200", 1, ""), ("30.000", 0, ""), failed, failed])
         self.assertEqual(cells["The base"], [("2.500", 0, ""), ("20.000", 2, ""), absent, absent])
         self.assertEqual(cells["ours"], [("1.500", 2, ""), ("10.000", 1, ""), absent, absent])
         self.assertEqual(cells["lost"], [("-", 0, ""), ("-", 0, ""), absent, absent])
+
+    def test_variants_of_some_sequences_and_published_times(self):
+        runs = [
+            study.Run("a", "v", "0", row={"ate_t": "1"}, timing={"ms_per_scan_median": "5"}),
+            study.Run("b", "w", "0", row={"ate_t": "2"}, timing={"ms_per_scan_median": "6"}),
+        ]
+        published = [{"sequence": "b", "method": "M", "ms_per_scan": "4.5"}]
+        part = study.Study("", runs, ["a", "b"], ["v", "w"], published=published)
+        errors = result_tables.metric_tables(part, "ate", "", ("ate_t",), ("ATE_t",))[0]
+        times = result_tables.time_tables(part)[0]
+        texts = [[(row, [c.text for c in cells]) for row, cells in t.rows] for t in (errors, times)]
+        self.assertEqual(texts[0], [("v", ["1.000", ""]), ("w", ["", "2.000"])])
+        expected = [("M †", ["", "", "4.50", ""]), ("v", ["5.00", "-", "", ""])]
+        self.assertEqual(texts[1], [*expected, ("w", ["", "", "6.00", "-"])])
 
     def test_half_of_the_runs_failed_is_a_failure(self):
         for lost, expected in ((1, ("1.500", "(2/3)")), (2, ("-", "(2/4)"))):
@@ -262,6 +276,17 @@ class CommandTest(ScratchTest):
         text = (self.scratch / "report" / "report.md").read_text()
         self.assertIn("| a ATE\\_t | a ATE\\_r | b ATE\\_t | b ATE\\_r |", text)
         self.assertRegex(text, r"\| RaDiVe \| (1\.99|2\.00)\d \| 0\.\d+ \| (0\.99|1\.00)\d \|")
+
+    def test_pictures_of_the_neural_submap(self):
+        write_run(self.scratch / "run", circle())
+        made_study.write_surface(self.scratch / "run")
+        status, _, error = self.run_command(self.scratch / "run")
+        self.assertEqual((status, error), (0, ""))
+        figures = self.scratch / "run" / "report" / "figures"
+        surface = (figures / "00_run_surface.svg").read_text()
+        self.assertIn("before extraction: 500", surface)
+        self.assertIn("after extraction: 4", surface)  # about 50 of 500
+        self.assertTrue((figures / "00_run_slice.pdf").is_file())
 
     def test_errors_are_a_sentence(self):
         status, _, error = self.run_command(self.scratch)
