@@ -57,18 +57,20 @@ class Odometry::Impl {
 
   OdometryResult AddScan(const RadarScan& scan);
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
+  std::vector<RadarSurface> TakeSurfaces();
 
  private:
   struct Radar {
     RadarOdometry odometry;
     Rigid3 T_body_radar;
     bool is_body = false;
+    Rigid3 T_world_own;  // own: the world frame of its odometry
   };
 
   Radar* RadarOf(const RadarScan& scan);
   void TakeNotesOf(RadarOdometry* odometry);
   // From the radar's own world frame to that of the trajectory.
-  void PlaceInWorld(int number, const Radar& radar, OdometryResult* result);
+  void PlaceInWorld(int number, Radar* radar, OdometryResult* result);
 
   const OdometryOptions options_;
   std::map<int, Radar> radars_;            // by the number that scans give
@@ -92,7 +94,8 @@ Odometry::Impl::Radar* Odometry::Impl::RadarOf(const RadarScan& scan) {
   const Rigid3 T_body_radar =
       is_vehicle ? T_vehicle_radar : T_vehicle_first_->Inverse() * T_vehicle_radar;
   const bool is_body = !is_vehicle && radars_.empty();
-  return &radars_.emplace(scan.radar, Radar{RadarOdometry(options), T_body_radar, is_body})
+  return &radars_
+              .emplace(scan.radar, Radar{RadarOdometry(options), T_body_radar, is_body, Rigid3()})
               .first->second;
 }
 
@@ -103,32 +106,32 @@ void Odometry::Impl::TakeNotesOf(RadarOdometry* odometry) {
   }
 }
 
-void Odometry::Impl::PlaceInWorld(int number, const Radar& radar, OdometryResult* result) {
+void Odometry::Impl::PlaceInWorld(int number, Radar* radar, OdometryResult* result) {
   const Rigid3 T_own_radar = result->T_world_radar;
-  const Rigid3 T_radar_body = radar.T_body_radar.Inverse();
+  const Rigid3 T_radar_body = radar->T_body_radar->Inverse();
   Rigid3 T_own_body = T_own_radar;
-  if (!radar.is_body) {
+  if (!radar->is_body) {
     // The radar's own world is its frame at its first scan; now it is the body's then.
-    T_own_body = radar.T_body_radar * T_own_radar * T_radar_body;
+    T_own_body = radar->T_body_radar * T_own_radar * T_radar_body;
     result->covariance = Turned(
-        radar.T_body_radar.RotationMatrix(),
-        CovarianceAtLever(result->covariance, T_own_radar.rotation * T_radar_body.translation));
+        radar->T_body_radar->RotationMatrix(),
+        CovarianceAtLever(result->covariance, T_own_radar->rotation * T_radar_body.translation));
   }
   fusion_.Add(number,
               result->stamp_ns,
               T_own_body,
               result->covariance,
-              radar.T_body_radar.rotation * result->ego_velocity.v_radar);
+              radar->T_body_radar->rotation * result->ego_velocity.v_radar);
   if (radars_.size() == 1) {
     result->T_world_body = T_own_body;
   } else {
     result->T_world_body = fusion_.T_world_body();
     result->covariance = fusion_.covariance();
   }
-  if (radar.is_body && radars_.size() == 1) return;
-  result->T_world_radar = result->T_world_body * radar.T_body_radar;
-  const Rigid3 T_world_own = result->T_world_radar * T_own_radar.Inverse();
-  for (Eigen::Vector3d& point : result->keyframe_points) point = T_world_own * point;
+  if (radar->is_body && radars_.size() == 1) return;
+  result->T_world_radar = result->T_world_body * radar->T_body_radar;
+  radar->T_world_own = result->T_world_radar * T_own_radar->Inverse();
+  for (Eigen::Vector3d& point : result->keyframe_points) point = radar->T_world_own * point;
 }
 
 OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
@@ -148,10 +151,19 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
     result.T_world_radar = T_world_body_ * radar->T_body_radar;
     return result;
   }
-  PlaceInWorld(scan.radar, *radar, &result);
+  PlaceInWorld(scan.radar, radar, &result);
   T_world_body_ = result.T_world_body;
   last_stamp_ns_ = scan.stamp_ns;
   return result;
+}
+
+std::vector<RadarSurface> Odometry::Impl::TakeSurfaces() {
+  std::vector<RadarSurface> surfaces;
+  for (auto& [number, radar] : radars_) {
+    std::optional<SurfaceRecord> record = radar.odometry.TakeSurfaceRecord();
+    if (record) surfaces.push_back({radar.T_world_own, std::move(*record)});
+  }
+  return surfaces;
 }
 
 Odometry::Odometry(const OdometryOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -161,5 +173,6 @@ Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
 OdometryResult Odometry::AddScan(const RadarScan& scan) { return impl_->AddScan(scan); }
 std::vector<std::string> Odometry::TakeNotes() { return impl_->TakeNotes(); }
+std::vector<RadarSurface> Odometry::TakeSurfaces() { return impl_->TakeSurfaces(); }
 
 }  // namespace radive

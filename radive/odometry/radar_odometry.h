@@ -30,6 +30,9 @@ class RadarOdometry {
   // left for the caller to fill in.
   OdometryResult AddScan(const RadarScan& scan);
 
+  // See Odometry::TakeSurfaces.
+  std::optional<SurfaceRecord> TakeSurfaceRecord() { return submap_->TakeSurfaceRecord(); }
+
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
 
  private:

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "radive/config/describe_config.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/map_files.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
 #include "radive/util/progress.h"
@@ -27,7 +31,7 @@ class SequenceRun {
         signed_source_(source, config.odometry.sensor),
         source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
                                                                               : source),
-        odometry_(config.odometry),
+        odometry_(WithRecord(config)),
         map_(config.output.map_resolution),
         progress_(stderr,
                   request.quiet ? Progress::Mode::kQuiet : Progress::ModeFor(stderr),
@@ -48,6 +52,14 @@ class SequenceRun {
   }
 
  private:
+  static OdometryOptions WithRecord(const RunConfig& config) {
+    OdometryOptions options = config.odometry;
+    options.sdf_submap.record = config.output.NeedsSurface();
+    options.sdf_submap.record_grid_spacing =
+        config.output.map == OutputOptions::Map::kMesh ? config.output.mesh_resolution : 0.0;
+    return options;
+  }
+
   std::optional<int> NumScansToRun() const {
     std::optional<int> total = stored_->NumScans();
     if (total) total = std::max(0, *total - request_.start);
@@ -128,10 +140,18 @@ class SequenceRun {
       if (!written && ok) *error = file_error;
       ok = ok && written;
     };
-    if (config_.output.map == OutputOptions::Map::kPoints) {
-      keep_first(writer_.WriteMap(map_.points(), &file_error));
-    } else {
-      writer_.RemoveEarlier("map.ply");
+    std::vector<RadarSurface> surfaces;
+    if (config_.output.NeedsSurface()) {
+      surfaces = odometry_.TakeSurfaces();
+      if (surfaces.empty()) Warn("the neural submap has learned no surface: its map is empty");
+    }
+    for (const MapFile& file :
+         MakeMapFiles(config_.output, config_.odometry.surface, map_.points(), surfaces)) {
+      if (file.bytes) {
+        keep_first(writer_.WriteText(file.name, *file.bytes, &file_error));
+      } else {
+        writer_.RemoveEarlier(file.name);
+      }
     }
     keep_first(writer_.WriteText("config.yaml", EffectiveConfig(config_), &file_error));
     RunReport::Facts facts;
