@@ -93,6 +93,14 @@ std::vector<OptionField> InputOptions::Fields() {
                   &topic,
                   "-",
                   "Topic of a bag with the point clouds; empty: the only one that has any."},
+      OptionField{"drop_share",
+                  &drop_share,
+                  "-",
+                  "Share of the returns that is left out at random, to see what depends on single "
+                  "returns."}
+          .AtLeast(0.0)
+          .AtMost(0.99),
+      OptionField{"drop_seed", &drop_seed, "-", "Seed of that choice."}.AtLeast(0),
       OptionField{"max_message_bytes",
                   &max_message_bytes,
                   "bytes",

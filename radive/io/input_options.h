@@ -65,6 +65,11 @@ struct InputOptions {
   // Topic of a bag; empty: the only one with point clouds.
   std::string topic;
 
+  // Share of the returns that is left out at random [-], and the seed of the choice: what depends
+  // on single returns differs from seed to seed. See thinned_source.h.
+  double drop_share = 0.0;
+  int drop_seed = 0;
+
   // Largest message that is read from a bag [bytes].
   int max_message_bytes = 256 << 20;
 

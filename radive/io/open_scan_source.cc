@@ -14,6 +14,7 @@
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/raflow_source.h"
 #include "radive/io/raw_source.h"
+#include "radive/io/thinned_source.h"
 
 namespace radive {
 namespace {
@@ -67,7 +68,9 @@ std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
   if (!DetectFormat(path, &found, &reason, error)) return nullptr;
   std::unique_ptr<ScanSource> source = OpenStored(path, found, error);
   if (source == nullptr) return nullptr;
-  return std::make_unique<AxesSource>(std::move(source), options.axes);
+  source = std::make_unique<AxesSource>(std::move(source), options.axes);
+  if (!(options.drop_share > 0.0)) return source;
+  return std::make_unique<ThinnedSource>(std::move(source), options.drop_share, options.drop_seed);
 }
 
 }  // namespace radive

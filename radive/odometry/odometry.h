@@ -14,7 +14,15 @@
 
 namespace radive {
 
-// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each.
+// A surface that one radar has learned, in the frame `map`, and where that was at its last scan.
+struct RadarSurface {
+  Rigid3 T_world_map;
+  SurfaceRecord record;
+};
+
+// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each. Scans
+// may be of several radars of one vehicle (RadarScan::radar, sensor.mounts): each has an odometry
+// of its own, and what these say of the vehicle's motion is averaged (see MotionFusion).
 //
 //   radive::Odometry odometry(options);
 //   for (const radive::RadarScan& scan : scans) {
@@ -38,10 +46,10 @@ class Odometry {
   // Cleared by the call.
   std::vector<std::string> TakeNotes();
 
-  // What the neural submaps have learned of the surface over the whole drive, one record a radar,
-  // in the world frame: for maps, at the end of a drive. Empty unless options.sdf_submap.record is
-  // set, and of radars whose submap stayed raw. Ends the recording.
-  std::vector<SurfaceRecord> TakeSurfaceRecords();
+  // What the neural submaps have learned of the surface over the whole drive: for maps, at the end
+  // of a drive. Empty unless options.sdf_submap.record is set, and of radars whose submap stayed
+  // raw. Ends the recording.
+  std::vector<RadarSurface> TakeSurfaces();
 
  private:
   class Impl;

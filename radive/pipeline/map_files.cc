@@ -42,6 +42,14 @@ void AppendFloats(const Eigen::Vector3d& values, std::string* bytes) {
   for (int axis = 0; axis < 3; ++axis) AppendFloat(values[axis], bytes);
 }
 
+std::vector<SurfacePoint> InWorld(const Rigid3& T_world_map, std::vector<SurfacePoint> points) {
+  for (SurfacePoint& point : points) {
+    point.position = T_world_map * point.position;
+    point.normal = T_world_map.rotation * point.normal;
+  }
+  return points;
+}
+
 }  // namespace
 
 std::string PointsPly(const std::vector<Eigen::Vector3d>& points) {
@@ -89,16 +97,16 @@ std::string MeshPly(const std::vector<TriangleMesh>& meshes) {
   return bytes;
 }
 
-std::string SlicePly(const std::vector<const SdfGrid*>& grids, double z, double min_support) {
+std::string SlicePly(const std::vector<PlacedGrid>& grids, double z, double min_support) {
   std::string rows;
   std::size_t count = 0;
-  for (const SdfGrid* grid : grids) {
+  for (const auto& [T_world_map, grid] : grids) {
     const int layer = static_cast<int>(std::lround(z / grid->spacing()));
     for (const Eigen::Vector3i& vertex : grid->Vertices()) {
       if (vertex.z() != layer) continue;
       const SdfGrid::Sample& sample = *grid->At(vertex);
       if (!(sample.support >= min_support)) continue;
-      AppendFloats(grid->Position(vertex), &rows);
+      AppendFloats(T_world_map * grid->Position(vertex), &rows);
       AppendFloat(sample.sdf, &rows);
       AppendFloat(sample.support, &rows);
       ++count;
@@ -110,15 +118,16 @@ std::string SlicePly(const std::vector<const SdfGrid*>& grids, double z, double 
 std::vector<MapFile> MakeMapFiles(const OutputOptions& output,
                                   const SurfaceOptions& surface,
                                   const std::vector<Eigen::Vector3d>& points,
-                                  const std::vector<SurfaceRecord>& records) {
+                                  const std::vector<RadarSurface>& surfaces) {
   MapFile map{"map.ply", {}}, neural_points{"neural_points.ply", {}};
   MapFile mesh{"mesh.ply", {}}, slice{"sdf_slice.ply", {}};
   if (output.map == OutputOptions::Map::kPoints) map.bytes = PointsPly(points);
   if (output.NeedsSurface()) {
     std::vector<SurfacePoint> all, selected;
-    for (const SurfaceRecord& record : records) {
-      all.insert(all.end(), record.points().begin(), record.points().end());
-      const std::vector<SurfacePoint> extracted = SelectSurface(record.points(), surface);
+    for (const auto& [T_world_map, record] : surfaces) {
+      const std::vector<SurfacePoint> points_of_radar = InWorld(T_world_map, record.points());
+      all.insert(all.end(), points_of_radar.begin(), points_of_radar.end());
+      const std::vector<SurfacePoint> extracted = SelectSurface(points_of_radar, surface);
       selected.insert(selected.end(), extracted.begin(), extracted.end());
     }
     map.bytes = SurfacePointsPly(selected);
@@ -126,11 +135,12 @@ std::vector<MapFile> MakeMapFiles(const OutputOptions& output,
   }
   if (output.map == OutputOptions::Map::kMesh) {
     std::vector<TriangleMesh> meshes;
-    std::vector<const SdfGrid*> grids;
-    for (const SurfaceRecord& record : records) {
+    std::vector<PlacedGrid> grids;
+    for (const auto& [T_world_map, record] : surfaces) {
       if (!record.grid()) continue;
-      grids.push_back(&*record.grid());
+      grids.push_back({T_world_map, &*record.grid()});
       meshes.push_back(IsoSurface(*record.grid(), surface.min_support));
+      for (Eigen::Vector3d& vertex : meshes.back().vertices) vertex = T_world_map * vertex;
     }
     mesh.bytes = MeshPly(meshes);
     slice.bytes = SlicePly(grids, output.slice_height, surface.min_support);

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "radive/config/output_options.h"
+#include "radive/geometry/rigid3.h"
 #include "radive/neural_map/iso_surface.h"
 #include "radive/neural_map/sdf_grid.h"
 #include "radive/neural_map/surface_options.h"
-#include "radive/neural_map/surface_record.h"
+#include "radive/odometry/odometry.h"
 
 namespace radive {
 
@@ -28,11 +29,11 @@ struct MapFile {
 //   neural_points.ply  all its points, before extraction
 //   mesh.ply           its surface as triangles
 //   sdf_slice.ply      a horizontal slice through its field
-// `points` are of the keyframes [m], `records` of the neural submaps.
+// `points` are of the keyframes [m], `surfaces` of the neural submaps.
 std::vector<MapFile> MakeMapFiles(const OutputOptions& output,
                                   const SurfaceOptions& surface,
                                   const std::vector<Eigen::Vector3d>& points,
-                                  const std::vector<SurfaceRecord>& records);
+                                  const std::vector<RadarSurface>& surfaces);
 
 // Vertices x y z [m].
 std::string PointsPly(const std::vector<Eigen::Vector3d>& points);
@@ -44,8 +45,13 @@ std::string SurfacePointsPly(const std::vector<SurfacePoint>& points);
 // Vertices x y z [m], certainty; triangles counter-clockwise seen from the side that the radar saw.
 std::string MeshPly(const std::vector<TriangleMesh>& meshes);
 
-// The layer of the grids' vertices next to the height z [m]: vertices x y z [m], sdf [m],
-// certainty, those with a support of `min_support` or more.
-std::string SlicePly(const std::vector<const SdfGrid*>& grids, double z, double min_support);
+struct PlacedGrid {
+  Rigid3 T_world_map;
+  const SdfGrid* grid;
+};
+
+// The layer of the grids' vertices next to the height z [m] in their own frames: vertices x y z
+// [m], sdf [m], certainty, those with a support of `min_support` or more.
+std::string SlicePly(const std::vector<PlacedGrid>& grids, double z, double min_support);
 
 }  // namespace radive

@@ -140,13 +140,13 @@ class SequenceRun {
       if (!written && ok) *error = file_error;
       ok = ok && written;
     };
-    std::vector<SurfaceRecord> records;
+    std::vector<RadarSurface> surfaces;
     if (config_.output.NeedsSurface()) {
-      records = odometry_.TakeSurfaceRecords();
-      if (records.empty()) Warn("the neural submap has learned no surface: its map is empty");
+      surfaces = odometry_.TakeSurfaces();
+      if (surfaces.empty()) Warn("the neural submap has learned no surface: its map is empty");
     }
     for (const MapFile& file :
-         MakeMapFiles(config_.output, config_.odometry.surface, map_.points(), records)) {
+         MakeMapFiles(config_.output, config_.odometry.surface, map_.points(), surfaces)) {
       if (file.bytes) {
         keep_first(writer_.WriteText(file.name, *file.bytes, &file_error));
       } else {

@@ -212,6 +212,18 @@ TEST(DescribeConfig, ListsEveryFieldWithItsDefaultAndReadsAsAConfiguration) {
   EXPECT_EQ(EffectiveConfig(*read), EffectiveConfig(RunConfig()));
 }
 
+TEST(ApplySettings, WorksOnStagesOfAnyProgram) {
+  double speed = 1.0;
+  const OptionField field = OptionField{"speed", &speed, "m/s", "Speed."}.AtMost(40.0);
+  std::string error;
+  EXPECT_TRUE(ApplySettings("simulation.speed=12.5", {{"simulation", {field}}}, &error)) << error;
+  EXPECT_EQ(speed, 12.5);
+  EXPECT_FALSE(ApplySettings("simulation.sped=1", {{"simulation", {field}}}, &error));
+  EXPECT_THAT(error, HasSubstr("did you mean simulation.speed?"));
+  EXPECT_FALSE(ApplySettings("simulation.speed=50", {{"simulation", {field}}}, &error));
+  EXPECT_THAT(error, HasSubstr("simulation.speed must be <= 40"));
+}
+
 TEST(Configs, EveryShippedFileLoadsAndFixesWhatTheSensorFixes) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(RADIVE_CONFIGS)) {

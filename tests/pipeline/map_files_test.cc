@@ -73,7 +73,7 @@ TEST(MapFiles, TheSliceIsTheNearestLayer) {
   grid.Set({2, 0, 1}, {0.25F, 2.0F});
   grid.Set({4, 0, 1}, {0.75F, 1.0F});
   grid.Set({2, 0, 2}, {0.5F, 2.0F});
-  const std::string body = Body(SlicePly({&grid}, 0.6, 1.5));
+  const std::string body = Body(SlicePly({{Rigid3(), &grid}}, 0.6, 1.5));
   ASSERT_EQ(body.size(), 20u);
   const float expected[] = {1.0F, 0.0F, 0.5F, 0.25F, 2.0F};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(FloatAt(body, i), expected[i]) << i;
