@@ -16,7 +16,7 @@ import made_study
 import numpy as np
 from made_study import circle, write_run, write_study, write_tum, yaw_quaternion
 
-from report import command, result_tables, run_files, study, tables, trajectories, viewer
+from report import command, result_tables, run_files, study, surface_figures, tables, trajectories, viewer
 
 
 class ScratchTest(unittest.TestCase):
@@ -213,6 +213,15 @@ class StudyTest(ScratchTest):
         found = result_tables.metric_tables(many, "ate", "Errors", ("ate_t",), ("ATE_t",))
         self.assertEqual([len(table.columns) for table in found], [3, 3, 3])
         self.assertEqual(found[1].caption, "Errors (2 of 3)")
+
+
+class SurfaceFiguresTest(unittest.TestCase):
+    def test_spacing_of_a_turned_grid(self):
+        y, x = np.mgrid[0:12, 0:10] * 0.25
+        grid = np.stack([x, y], -1).reshape(-1, 2)
+        turn = np.array([[math.cos(0.3), -math.sin(0.3)], [math.sin(0.3), math.cos(0.3)]])
+        for vertices in (grid, grid @ turn.T):
+            self.assertAlmostEqual(surface_figures.grid_spacing(vertices), 0.25, places=9)
 
 
 class ViewerTest(unittest.TestCase):
