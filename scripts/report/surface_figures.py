@@ -98,6 +98,8 @@ def slice_figure(run):
     points = vertices(slice_ply)
     low, high = window(points, run.estimate[:, 1:3], SLICE_WINDOW)
     points = inside(points, low, high)
+    if len(points) < 20:
+        return None
     spacing = grid_spacing(points[:, :2])
     index = np.round((points[:, :2] - low) / spacing).astype(int)
     image = np.full(index.max(0)[::-1] + 1, np.nan)

@@ -196,8 +196,9 @@ class StudyTest(ScratchTest):
 
     def test_comparison_marks_intervals_clear_of_one(self):
         cells = self.cells("comparison")
-        self.assertEqual(cells["ours"], [("0.55", 1, "[0.50, 0.66]"), ("1.50", 2, "[1.10, 1.90]")])
-        self.assertEqual(cells["lost"], [("-", 0, ""), ("-", 0, "")])
+        better, worse = ("0.550", 1, "[0.500, 0.660]"), ("1.500", 2, "[1.100, 1.900]")
+        self.assertEqual(cells["ours"], [better, ("[0.400, 1.200]", 0, ""), worse, ("-", 0, "")])
+        self.assertEqual(cells["lost"], [("-", 0, "")] * 4)
 
     def test_failures_are_listed_absent_data_are_not(self):
         self.assertEqual([row[3][0] for row in self.cells("failures").values()], ["signal 11, a | b_c"])
