@@ -40,8 +40,8 @@ std::vector<OptionField>* FindStage(const std::string& name, Stages* stages, std
   return nullptr;
 }
 
-// Null when `stage` has no field `name`: then looks for the name in this stage first, then
-// whether it stands under the wrong stage, then for typing errors.
+// Null when `stage` has no field `name`: then looks whether it stands under the wrong stage, then
+// for typing errors in this one.
 OptionField* FindField(const std::string& stage,
                        const std::string& name,
                        Stages* stages,
@@ -54,11 +54,6 @@ OptionField* FindField(const std::string& stage,
     names.push_back(field.name);
   }
   *error = "unknown key " + stage + "." + name;
-  const std::string suggestion = Suggestion(name, names);
-  if (!suggestion.empty()) {
-    *error += ", did you mean " + stage + "." + *NearestWord(name, names) + "?";
-    return nullptr;
-  }
   for (const auto& [other, other_fields] : *stages) {
     for (const OptionField& field : other_fields) {
       if (field.name == name) {
@@ -66,6 +61,11 @@ OptionField* FindField(const std::string& stage,
         return nullptr;
       }
     }
+  }
+  const std::string suggestion = Suggestion(name, names);
+  if (!suggestion.empty()) {
+    *error += ", did you mean " + stage + "." + *NearestWord(name, names) + "?";
+    return nullptr;
   }
   *error += "; --help_config lists all keys";
   return nullptr;

@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "radive/geometry/pose_covariance.h"
 #include "radive/odometry/body_motion.h"
 #include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
@@ -21,16 +22,6 @@ namespace radive {
 namespace {
 
 double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
-
-// Covariance of the pose of a point that is rigidly joined to the one whose covariance is given, at
-// `lever` from it [m] (world frame): its translation moves by dt + dr x lever.
-Matrix6d CovarianceAtLever(const Matrix6d& covariance, const Eigen::Vector3d& lever) {
-  Matrix6d jacobian = Matrix6d::Identity();
-  jacobian.block<3, 3>(3, 0) << 0.0, lever.z(), -lever.y(),  //
-      -lever.z(), 0.0, lever.x(),                            //
-      lever.y(), -lever.x(), 0.0;
-  return jacobian * covariance * jacobian.transpose();
-}
 
 }  // namespace
 

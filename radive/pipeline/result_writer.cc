@@ -15,11 +15,12 @@
 namespace radive {
 namespace {
 
-constexpr std::array<const char*, 7> kResultFiles = {"trajectory_tum.txt",
+constexpr std::array<const char*, 8> kResultFiles = {"trajectory_tum.txt",
                                                      "trajectory_kitti.txt",
                                                      "scans.csv",
                                                      "timing.csv",
                                                      "map.ply",
+                                                     "scores.json",
                                                      "config.yaml",
                                                      "run.json"};
 
