@@ -10,11 +10,20 @@
 #include <string>
 
 #include "apps/app_main.h"
+#include "radive/config/load_config.h"
 #include "radive/pipeline/simulation_writer.h"
+#include "radive/simulation/scenarios.h"
 
-DEFINE_string(scenario, "street_dense", "street_dense | street_sparse | street_planar.");
-DEFINE_int32(seed, 1, "Seed of the street, the traffic, the drive and all noise.");
-DEFINE_int32(frames, 0, "Number of scans; 0: about one lap of the street.");
+DEFINE_string(scenario,
+              "street_dense",
+              "PLACE_SENSOR with the places street, avenue, campus, car_park, tunnel, stop_and_go, "
+              "handcart, outages and the sensors dense, sparse, planar, aeva.");
+DEFINE_int32(seed, 1, "Seed of the world, the traffic, the drive and all noise.");
+DEFINE_int32(frames, 0, "Number of scans; 0: two minutes.");
+DEFINE_string(set,
+              "",
+              "Settings that win over the scenario's: simulation.field=value, separated by commas "
+              "outside brackets; scenario.json of any result lists the fields.");
 DEFINE_string(format,
               "raw",
               "Form of the scans: raw (float32 x y z doppler power) | pcd_ascii | pcd_binary | "
@@ -36,7 +45,7 @@ int Fail(const std::string& message) {
 int main(int argc, char** argv) {
   radive::InitApp(&argc,
                   &argv,
-                  "Simulates a radar on a drive through a street, with exact poses and labels.\n"
+                  "Simulates a radar on a drive, with exact poses and labels.\n"
                   "  radive_simulate --scenario=street_dense --seed=1 --output=FOLDER\n\n"
                   "Writes radar/NNNNNN.bin (or the files of --format), times.txt, gt_tum.txt,\n"
                   "labels/NNNNNN.bin and scenario.json.");
@@ -49,13 +58,16 @@ int main(int argc, char** argv) {
   }
   options->seed = FLAGS_seed;
   if (FLAGS_frames != 0) options->frames = FLAGS_frames;
+  std::string error;
+  if (!radive::ApplySettings(FLAGS_set, {{"simulation", options->Fields()}}, &error)) {
+    return Fail(error);
+  }
 
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const auto progress = [on_terminal](int done, int all) {
     if (!on_terminal || (done % 10 != 0 && done != all)) return;
     std::fprintf(stderr, "\r%d / %d scans%s", done, all, done == all ? "\n" : "");
   };
-  std::string error;
   if (!radive::WriteSimulation(
           FLAGS_scenario, *options, FLAGS_format, FLAGS_output, progress, &error)) {
     return Fail(error);

@@ -3,10 +3,12 @@
 
   scripts/compare_simulation.py SIMULATED xyzdp5 RECORDED xyzdp5 [FOLDER LAYOUT ...]
 
-Each FOLDER holds *.bin scans itself or in radar/ or velodyne/; LAYOUT is the record of its files:
+Each column may be given a name, NAME=FOLDER. Each FOLDER holds *.bin scans itself or in radar/ or velodyne/; LAYOUT is the record of its files:
 xyz3, xyzdp5 (x y z doppler power), vod7, tj4d8, or radarscenes1 .. radarscenes4 for one radar of
 a RadarScenes folder. Returns outside the view of the options are left out, so that sensors with
 different views can be compared.
+
+Returns a voxel are counted in voxels of 2 x 2 x 1 m, those of single scans that hold any.
 
 The Doppler inliers are those of a RANSAC fit of the ego velocity v to doppler = -d . v, refined
 by least squares.
@@ -97,10 +99,18 @@ def fit_velocity(direction, doppler, gate, random):
     return velocity, best, np.sqrt(np.mean(residual ** 2))
 
 
+VOXEL = np.array([2.0, 2.0, 1.0])  # [m]
+
+
+def returns_per_voxel(position):
+    cells = np.floor(position / VOXEL).astype(np.int64)
+    return np.unique(cells, axis=0, return_counts=True)[1]
+
+
 def measure(scans, options):
     random = np.random.default_rng(1)
     counts, ranges, azimuths, elevations, powers = [], [], [], [], []
-    shares, deviations, speeds = [], [], []
+    shares, deviations, speeds, voxels = [], [], [], []
     for position, doppler, power in scans:
         distance = np.linalg.norm(position, axis=1)
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -111,6 +121,7 @@ def measure(scans, options):
         if doppler is not None:
             keep &= np.isfinite(doppler)
         counts.append(keep.sum())
+        voxels.append(returns_per_voxel(position[keep]))
         ranges.append(distance[keep])
         azimuths.append(azimuth[keep])
         elevations.append(elevation[keep])
@@ -129,6 +140,7 @@ def measure(scans, options):
     rows = {
         "scans": f"{len(counts)}",
         "returns a scan, mean": f"{np.mean(counts):.0f}",
+        "returns a scan, std": f"{np.std(counts):.0f}",
         "returns a scan, min - max": f"{min(counts)} - {max(counts)}",
         "range, mean [m]": f"{all_ranges.mean():.1f}",
     }
@@ -137,6 +149,11 @@ def measure(scans, options):
     for name, values in (("azimuth", azimuths), ("elevation", elevations)):
         low, middle, high = np.percentile(np.concatenate(values), (10, 50, 90))
         rows[f"{name}, 10 / 50 / 90 % [deg]"] = f"{low:.1f} / {middle:.1f} / {high:.1f}"
+    per_voxel = np.concatenate(voxels)
+    rows["returns a voxel, mean"] = f"{per_voxel.mean():.2f}"
+    rows["voxels of one return [%]"] = f"{100 * np.mean(per_voxel == 1):.0f}"
+    rows["returns a voxel, 90 / 99 %"] = " / ".join(
+        f"{value:.0f}" for value in np.percentile(per_voxel, (90, 99)))
     if powers:
         low, middle, high = np.percentile(np.concatenate(powers), (10, 50, 90))
         rows["power, 10 / 50 / 90 % [dB]"] = f"{low:.1f} / {middle:.1f} / {high:.1f}"
@@ -158,6 +175,7 @@ def main():
     parser.add_argument("--max_range", type=float, default=200.0, help="[m] (200)")
     parser.add_argument("--azimuth", type=float, default=56.5, help="half view [deg] (56.5)")
     parser.add_argument("--elevation", type=float, default=22.5, help="half view [deg] (22.5)")
+    parser.add_argument("--markdown", action="store_true", help="print the table as Markdown")
     parser.add_argument("--gate", type=float, default=0.3, help="of Doppler inliers [m/s] (0.3)")
     options = parser.parse_args()
     if len(options.inputs) % 2:
@@ -165,6 +183,7 @@ def main():
 
     columns = []
     for folder, layout in zip(options.inputs[::2], options.inputs[1::2]):
+        name, _, folder = folder.rpartition("=")
         path = pathlib.Path(folder)
         if not path.is_dir():
             fail(f"{folder}: no such folder")
@@ -174,10 +193,16 @@ def main():
             scans = radarscenes_scans(path, int(layout[-1]), options.step)
         else:
             fail(f"layout must be one of {', '.join(LAYOUTS)}, radarscenes1-4, is {layout}")
-        columns.append((path.resolve().name, measure(scans, options)))
+        columns.append((name or path.resolve().name, measure(scans, options)))
 
     names = list(dict.fromkeys(name for _, rows in columns for name in rows))
     width = max(len(name) for name in names)
+    if options.markdown:
+        print("| | " + " | ".join(label for label, _ in columns) + " |")
+        print("| --- |" + " --- |" * len(columns))
+        for name in names:
+            print(f"| {name} | " + " | ".join(rows.get(name, "-") for _, rows in columns) + " |")
+        return
     table = [[label] + [rows.get(name, "-") for name in names] for label, rows in columns]
     widths = [max(len(cell) for cell in column) for column in table]
     for i, name in enumerate([""] + names):

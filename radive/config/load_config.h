@@ -5,8 +5,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "radive/config/run_config.h"
+#include "radive/util/option_field.h"
 
 namespace radive {
 
@@ -28,5 +31,11 @@ std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
                                         const std::string& place,
                                         const std::string& set_text,
                                         std::string* error);
+
+// Applies `set_text` to stages of any program, each a name and its fields; errors as above. Bounds
+// of single fields are checked, IsValid() is left to the caller.
+bool ApplySettings(const std::string& set_text,
+                   std::vector<std::pair<std::string, std::vector<OptionField>>> stages,
+                   std::string* error);
 
 }  // namespace radive

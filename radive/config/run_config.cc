@@ -19,6 +19,10 @@ bool RunConfig::IsValid(std::string* error) const {
       !reference.IsValid(error)) {
     return false;
   }
+  if (output.NeedsSurface() && odometry.submap.type != SubmapOptions::Type::kSdf) {
+    *error = "output.map surface and mesh come from the neural submap: they need submap.type sdf";
+    return false;
+  }
   if (input.radar != "all" || !odometry.sensor.mounts.empty()) return true;
   *error = "input.radar all needs sensor.mounts, which says where each radar sits";
   return false;

@@ -100,6 +100,14 @@ std::vector<OptionField> InputOptions::Fields() {
           "-",
           "Topic of a bag (std_msgs/Header) that says when each scan began; empty: the only "
           "one, where the point clouds have no stamps; none: not used."},
+      OptionField{"drop_share",
+                  &drop_share,
+                  "-",
+                  "Share of the returns that is left out at random, to see what depends on single "
+                  "returns."}
+          .AtLeast(0.0)
+          .AtMost(0.99),
+      OptionField{"drop_seed", &drop_seed, "-", "Seed of that choice."}.AtLeast(0),
       OptionField{"max_message_bytes",
                   &max_message_bytes,
                   "bytes",

@@ -70,6 +70,11 @@ struct InputOptions {
   // of that type, where the headers of the point clouds have no stamps; "none": no such topic.
   std::string trigger_topic;
 
+  // Share of the returns that is left out at random [-], and the seed of the choice: what depends
+  // on single returns differs from seed to seed. See thinned_source.h.
+  double drop_share = 0.0;
+  int drop_seed = 0;
+
   // Largest message that is read from a bag [bytes].
   int max_message_bytes = 256 << 20;
 

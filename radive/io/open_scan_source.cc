@@ -18,6 +18,7 @@
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/raflow_source.h"
 #include "radive/io/raw_source.h"
+#include "radive/io/thinned_source.h"
 
 namespace radive {
 namespace {
@@ -91,8 +92,10 @@ std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
   InputOptions found = options;
   std::string reason;
   if (!DetectFormat(path, &found, &reason, error)) return nullptr;
-  if (options.radar == "all") return OpenAll(path, found, error);
-  return OpenOne(path, found, error);
+  std::unique_ptr<ScanSource> source =
+      options.radar == "all" ? OpenAll(path, found, error) : OpenOne(path, found, error);
+  if (source == nullptr || !(options.drop_share > 0.0)) return source;
+  return std::make_unique<ThinnedSource>(std::move(source), options.drop_share, options.drop_seed);
 }
 
 }  // namespace radive

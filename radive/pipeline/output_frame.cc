@@ -52,11 +52,15 @@ void OutputFrame::Apply(OdometryResult* result) const {
   if (is_body_) return;
   const Rigid3 T_output_body = T_body_output_.Inverse();
   const Eigen::Vector3d lever = result->T_world_body.rotation * T_body_output_.translation;
-  result->covariance = RotatedCovariance(CovarianceAtLever(result->covariance, lever),
-                                         T_output_body.RotationMatrix());
+  result->covariance = TurnedCovariance(T_output_body.RotationMatrix(),
+                                        CovarianceAtLever(result->covariance, lever));
   result->T_world_body = T_output_body * result->T_world_body * T_body_output_;
   result->T_world_radar = T_output_body * result->T_world_radar;
   for (Eigen::Vector3d& point : result->keyframe_points) point = T_output_body * point;
+}
+
+void OutputFrame::Apply(RadarSurface* surface) const {
+  if (!is_body_) surface->T_world_map = T_body_output_.Inverse() * surface->T_world_map;
 }
 
 }  // namespace radive

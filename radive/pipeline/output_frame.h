@@ -5,6 +5,7 @@
 
 #include "radive/config/run_config.h"
 #include "radive/geometry/rigid3.h"
+#include "radive/odometry/odometry.h"
 #include "radive/odometry/odometry_result.h"
 
 namespace radive {
@@ -19,6 +20,7 @@ class OutputFrame {
 
   // T_world_body, T_world_radar, covariance and keyframe points of `result`.
   void Apply(OdometryResult* result) const;
+  void Apply(RadarSurface* surface) const;  // T_world_map
 
   // Of the bodies on the vehicle: that of the trajectory that is written, and the one whose poses
   // the ground truth has (see ReferenceOptions).

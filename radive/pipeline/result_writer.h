@@ -29,7 +29,8 @@ struct ScanInfo {
 //   scans.csv             status, ego velocity, registration and covariances of each scan
 //   timing.csv            milliseconds of each stage and scan (the only file that varies, with
 //                         run.json, between two runs of the same command)
-//   map.ply, scores.json, config.yaml, run.json   see WriteMap(), WriteText()
+//   map.ply, neural_points.ply, mesh.ply, sdf_slice.ply   see map_files.h
+//   scores.json, config.yaml, run.json                    see WriteText()
 class ResultWriter {
  public:
   // Creates the folder and opens the streamed files. A folder that holds anything but earlier
@@ -39,10 +40,7 @@ class ResultWriter {
   // False when something could not be written (a full disk): `error` names the file.
   bool AddScan(const ScanInfo& info, const OdometryResult& result, std::string* error);
 
-  // map.ply: binary little-endian float x y z [m].
-  bool WriteMap(const std::vector<Eigen::Vector3d>& points, std::string* error);
-
-  // A small file in one go, such as run.json.
+  // A file in one go, such as run.json.
   bool WriteText(const std::string& name, const std::string& text, std::string* error);
 
   // Removes an earlier run's file that this run does not write.

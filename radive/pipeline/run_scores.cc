@@ -135,10 +135,10 @@ bool PrepareComparison(const RunEstimate& estimate,
   return true;
 }
 
-std::optional<std::vector<RunScore>> ScoreRun(const RunEstimate& estimate,
-                                              const Reference& reference,
-                                              const ReferenceOptions& reference_options,
-                                              std::string* error) {
+std::optional<std::vector<RunScore>> ScoreEstimate(const RunEstimate& estimate,
+                                                   const Reference& reference,
+                                                   const ReferenceOptions& reference_options,
+                                                   std::string* error) {
   std::vector<RunScore> scores;
   for (auto& [name, options] : ScoreOptions(reference.has_rotations)) {
     options.max_time_difference = reference_options.max_time_difference;

@@ -50,10 +50,10 @@ struct RunScore {
 // and the drift over segments where the drive is long enough; the same numbers that Evaluate()
 // gives with the options of each. Nothing, with the reason in `error`, when the trajectories cannot
 // be compared.
-std::optional<std::vector<RunScore>> ScoreRun(const RunEstimate& estimate,
-                                              const Reference& reference,
-                                              const ReferenceOptions& options,
-                                              std::string* error);
+std::optional<std::vector<RunScore>> ScoreEstimate(const RunEstimate& estimate,
+                                                   const Reference& reference,
+                                                   const ReferenceOptions& options,
+                                                   std::string* error);
 
 // For people, a line a score; and scores.json.
 std::string ScoresText(const std::vector<RunScore>& scores, const Reference& reference);

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "radive/config/describe_config.h"
 #include "radive/io/trajectory_io.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
@@ -32,7 +35,7 @@ class SequenceRun {
         signed_source_(source, config.odometry.sensor),
         source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
                                                                               : source),
-        odometry_(config.odometry),
+        odometry_(WithRecord(config)),
         map_(config.output.map_resolution),
         progress_(stderr,
                   request.quiet ? Progress::Mode::kQuiet : Progress::ModeFor(stderr),
@@ -57,6 +60,14 @@ class SequenceRun {
   const std::string& scores() const { return scores_; }
 
  private:
+  static OdometryOptions WithRecord(const RunConfig& config) {
+    OdometryOptions options = config.odometry;
+    options.sdf_submap.record = config.output.NeedsSurface();
+    options.sdf_submap.record_grid_spacing =
+        config.output.map == OutputOptions::Map::kMesh ? config.output.mesh_resolution : 0.0;
+    return options;
+  }
+
   std::optional<int> NumScansToRun() const {
     std::optional<int> total = stored_->NumScans();
     if (total) total = std::max(0, *total - request_.start);
@@ -145,10 +156,19 @@ class SequenceRun {
       if (!written && ok) *error = file_error;
       ok = ok && written;
     };
-    if (config_.output.map == OutputOptions::Map::kPoints) {
-      keep_first(writer_.WriteMap(map_.points(), &file_error));
-    } else {
-      writer_.RemoveEarlier("map.ply");
+    std::vector<RadarSurface> surfaces;
+    if (config_.output.NeedsSurface()) {
+      surfaces = odometry_.TakeSurfaces();
+      for (RadarSurface& surface : surfaces) frame_->Apply(&surface);
+      if (surfaces.empty()) Warn("the neural submap has learned no surface: its map is empty");
+    }
+    for (const MapFile& file :
+         MakeMapFiles(config_.output, config_.odometry.surface, map_.points(), surfaces)) {
+      if (file.bytes) {
+        keep_first(writer_.WriteText(file.name, *file.bytes, &file_error));
+      } else {
+        writer_.RemoveEarlier(file.name);
+      }
     }
     if (reference_ && ok && run_error.empty()) {
       keep_first(WriteScores(status, &file_error));
@@ -182,7 +202,7 @@ class SequenceRun {
     estimate.is_partial = request_.num_frames || status == RunStatus::kInterrupted;
     if (frame_) estimate.T_output_reference = frame_->T_output_reference();
     std::string reason;
-    const auto scores = ScoreRun(estimate, *reference_, config_.reference, &reason);
+    const auto scores = ScoreEstimate(estimate, *reference_, config_.reference, &reason);
     if (!scores) {
       *error = request_.reference + ": no scores: " + reason;
       return false;

@@ -82,7 +82,8 @@ std::string ScenarioJson(const std::string& scenario,
   json += "  \"num_returns\": " + std::to_string(returns) + ",\n";
   std::snprintf(number, sizeof(number), "%.3f", path_length);
   return json + "  \"path_length_m\": " + number +
-         ",\n  \"labels\": [\"static\", \"ghost\", \"moving\", \"clutter\", \"duplicate\"]\n}\n";
+         ",\n  \"labels\": [\"static\", \"ghost\", \"moving\", \"clutter\", "
+         "\"duplicate\", \"ambiguous\"]\n}\n";
 }
 
 }  // namespace
@@ -101,16 +102,17 @@ bool WriteSimulation(const std::string& scenario,
   GroundTruth truth;
   Rigid3 T_first_world;
   std::string poses;
-  std::int64_t returns = 0;
+  std::int64_t returns = 0, last_stamp_ns = 0;
   int k = 0;
   for (; simulator.Next(&scan, &truth); ++k) {
     if (k == 0) T_first_world = truth.T_world_radar.Inverse();
     if (!writer->Add(scan, error) || !WriteLabels(folder, k, truth, error)) return false;
     poses += TumLine(scan.stamp_ns, T_first_world * truth.T_world_radar);
+    last_stamp_ns = scan.stamp_ns;
     returns += static_cast<std::int64_t>(scan.returns.size());
     if (progress) progress(k + 1, options.frames);
   }
-  const double path_length = simulator.TravelledAt(k - 1);
+  const double path_length = simulator.TravelledAt(last_stamp_ns);
   return writer->Finish(error) && WriteWholeFile(folder / "gt_tum.txt", poses, error) &&
          WriteWholeFile(folder / "scenario.json",
                         ScenarioJson(scenario, format, simulator, k, returns, path_length),

@@ -42,11 +42,10 @@ double CastCar(const MovingCar& car,
   const auto to_car = [&](const Eigen::Vector3d& v) {
     return Eigen::Vector3d(c * v.x() + s * v.y(), -s * v.x() + c * v.y(), v.z());
   };
-  const Eigen::Vector3d o =
-      to_car(origin - Eigen::Vector3d(car.center.x(), car.center.y(), 0.5 * MovingCar::kHeight));
+  const Eigen::Vector3d o = to_car(
+      origin - Eigen::Vector3d(car.center.x(), car.center.y(), car.ground + 0.5 * car.size.z()));
   const Eigen::Vector3d d = to_car(direction);
-  const Eigen::Vector3d half(
-      0.5 * MovingCar::kLength, 0.5 * MovingCar::kWidth, 0.5 * MovingCar::kHeight);
+  const Eigen::Vector3d half = 0.5 * car.size;
   double enter = 0.0, leave = kInfinity;
   int axis = -1;
   for (int i = 0; i < 3; ++i) {
@@ -71,8 +70,14 @@ double CastCar(const MovingCar& car,
 
 }  // namespace
 
-RadarWorld::RadarWorld(std::vector<WallSegment> walls, std::vector<Scatterer> scatterers)
-    : walls_(std::move(walls)), scatterers_(std::move(scatterers)) {
+RadarWorld::RadarWorld(std::vector<WallSegment> walls,
+                       std::vector<Scatterer> scatterers,
+                       Terrain terrain,
+                       double ceiling)
+    : walls_(std::move(walls)),
+      scatterers_(std::move(scatterers)),
+      terrain_(std::move(terrain)),
+      ceiling_(ceiling) {
   BuildGrid();
 }
 
@@ -154,7 +159,7 @@ bool RadarWorld::CastWalls(const Eigen::Vector3d& origin,
       const double distance = Cross(to_wall, edge) / denominator;
       if (!(distance > 0.0 && distance < hit->distance)) continue;
       const double z = origin.z() + distance * direction.z();
-      if (z < 0.0 || z > wall.height) continue;
+      if (z < wall.base || z > wall.height) continue;
       hit->distance = distance;
       nearest = w;
     }
@@ -180,11 +185,23 @@ std::optional<RayHit> RadarWorld::Cast(const Eigen::Vector3d& origin,
   RayHit hit;
   hit.distance = max_distance;
   bool found = false;
-  if (direction.z() < 0.0 && -origin.z() / direction.z() < hit.distance) {
-    hit.distance = -origin.z() / direction.z();
+  const double to_ceiling =
+      direction.z() > 0.0 ? (ceiling_ - origin.z()) / direction.z() : max_distance;
+  if (to_ceiling < hit.distance) {
+    hit.distance = to_ceiling;
+    hit.surface = Surface::kConcrete;
+    hit.normal = -Eigen::Vector3d::UnitZ();
     found = true;
   }
   found |= CastWalls(origin, direction, &hit);
+  // The ground last of what stands still: on slopes it is searched for, no further than needed.
+  const double to_ground = terrain_.Cast(origin, direction, hit.distance);
+  if (to_ground < hit.distance) {
+    hit.distance = to_ground;
+    hit.surface = Surface::kGround;
+    hit.normal = terrain_.Normal((origin + to_ground * direction).head<2>());
+    found = true;
+  }
   for (const MovingCar& car : cars) {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
     const double distance = CastCar(car, origin, direction, &normal);
@@ -195,20 +212,22 @@ std::optional<RayHit> RadarWorld::Cast(const Eigen::Vector3d& origin,
     hit.normal = normal;
     const Eigen::Vector2d arm = (origin + distance * direction).head<2>() - car.center;
     hit.velocity << car.velocity.x() - car.yaw_rate * arm.y(),
-        car.velocity.y() + car.yaw_rate * arm.x(), 0.0;
+        car.velocity.y() + car.yaw_rate * arm.x(), car.climb;
   }
   if (!found) return std::nullopt;
   return hit;
 }
 
 double RadarWorld::DistanceToSurface(const Eigen::Vector3d& point) const {
-  double nearest = std::abs(point.z());
+  double nearest =
+      std::abs(point.z() - terrain_.Height(point.head<2>())) * terrain_.Normal(point.head<2>()).z();
+  nearest = std::min(nearest, std::abs(ceiling_ - point.z()));
   for (const WallSegment& wall : walls_) {
     const Eigen::Vector2d edge = wall.b - wall.a;
     const double along =
         std::clamp((point.head<2>() - wall.a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
     const double horizontal = (point.head<2>() - wall.a - along * edge).norm();
-    const double vertical = std::max({0.0, point.z() - wall.height, -point.z()});
+    const double vertical = std::max({0.0, point.z() - wall.height, wall.base - point.z()});
     nearest = std::min(nearest, std::hypot(horizontal, vertical));
   }
   return nearest;

@@ -5,20 +5,25 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
+#include "radive/simulation/terrain.h"
+
 namespace radive {
 
-// What a simulated radar can hit. World frame: z up, the ground is z = 0.
-enum class Surface { kGround, kFacade, kPole, kParkedCar, kMovingCar };
+// What a simulated radar can hit.
+enum class Surface { kGround, kFacade, kPole, kParkedCar, kMovingCar, kVegetation, kConcrete };
+constexpr int kNumSurfaces = 7;
 
-// An upright rectangle over a line in the ground plane.
+// An upright rectangle over a line in the plane. World frame: z up.
 struct WallSegment {
   Eigen::Vector2d a = Eigen::Vector2d::Zero();  // one end [m]
   Eigen::Vector2d b = Eigen::Vector2d::Zero();  // the other end [m]
-  double height = 0.0;                          // reaches from the ground up to here [m]
+  double height = 0.0;                          // z of its upper edge [m]
   Surface surface = Surface::kFacade;
+  double base = 0.0;  // z of its lower edge [m]
 };
 
 // A point of the static world that answers far stronger than its surroundings, and in scan after
@@ -28,15 +33,14 @@ struct Scatterer {
   double strength = 1.0;                               // relative to the others [-], > 0
 };
 
-// A box that drives. Its frame: centre on the ground, x forward.
+// A box that drives. Its frame: centre on the ground, x forward. It stays level on slopes.
 struct MovingCar {
-  static constexpr double kLength = 4.4;  // [m]
-  static constexpr double kWidth = 1.8;   // [m]
-  static constexpr double kHeight = 1.5;  // [m]
-
+  Eigen::Vector3d size{4.4, 1.8, 1.5};                 // length, width, height [m]
   Eigen::Vector2d center = Eigen::Vector2d::Zero();    // [m]
+  double ground = 0.0;                                 // height of the ground under it [m]
   double heading = 0.0;                                // [rad]
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // of the centre [m/s]
+  double climb = 0.0;                                  // upwards [m/s]
   double yaw_rate = 0.0;                               // [rad/s]
 };
 
@@ -50,7 +54,11 @@ struct RayHit {
 // The static world, with exact ray casting over a uniform grid.
 class RadarWorld {
  public:
-  RadarWorld(std::vector<WallSegment> walls, std::vector<Scatterer> scatterers);
+  // `ceiling`: height of a roof over all of it, as in a tunnel [m]; infinity: the open sky.
+  RadarWorld(std::vector<WallSegment> walls,
+             std::vector<Scatterer> scatterers,
+             Terrain terrain = {},
+             double ceiling = std::numeric_limits<double>::infinity());
 
   // First surface along a ray of the world frame, or nothing within `max_distance` [m].
   // `direction` is unit. `cars` are the moving ones of the moment.
@@ -64,6 +72,7 @@ class RadarWorld {
 
   const std::vector<WallSegment>& walls() const { return walls_; }
   const std::vector<Scatterer>& scatterers() const { return scatterers_; }
+  const Terrain& terrain() const { return terrain_; }
 
  private:
   void BuildGrid();
@@ -73,6 +82,8 @@ class RadarWorld {
 
   std::vector<WallSegment> walls_;
   std::vector<Scatterer> scatterers_;
+  Terrain terrain_;
+  double ceiling_;
 
   // Grid cell i lists the walls cell_walls_[cell_begin_[i]] to cell_walls_[cell_begin_[i + 1] - 1].
   Eigen::Vector2d grid_origin_ = Eigen::Vector2d::Zero();  // [m]

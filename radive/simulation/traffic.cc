@@ -13,11 +13,18 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kOncomingLane = 4.0;   // left of the driving lane [m]
 constexpr double kOncomingSpeed = 8.5;  // mean [m/s]
+constexpr double kNextGap = 26.0;       // from one car ahead to the next [m]
+constexpr double kNextHeadway = 1.2;    // [s]
 
 }  // namespace
 
-Traffic::Traffic(const StreetPath& path, int num_cars, std::uint64_t seed) : path_(path) {
+Traffic::Traffic(const StreetPath& path,
+                 const Terrain& terrain,
+                 const Options& options,
+                 std::uint64_t seed)
+    : path_(path), terrain_(terrain), options_(options) {
   Random random(seed);
+  const int num_cars = options.num_cars;
   if (num_cars > 0) num_ahead_ = std::max(1, num_cars / 5);
   const int num_oncoming = num_cars - num_ahead_;
   for (int i = 0; i < num_oncoming; ++i) {
@@ -37,10 +44,12 @@ std::vector<MovingCar> Traffic::CarsAt(double time, const VehicleMotion::Travel&
   for (int i = 0; i < num_ahead_; ++i) {
     // Distance from the rear axle of one to the centre of the other; it stands when the ego car
     // stands.
-    const double gap = 20.0 + 26.0 * i, headway = 1.6 + 1.2 * i;
+    const double gap = options_.lead_gap + kNextGap * i;
+    const double headway = options_.lead_headway + kNextHeadway * i;
     cars.push_back(Place(ego.s + gap + headway * ego.speed,
                          std::max(0.0, ego.speed + headway * ego.acceleration),
                          0.0));
+    if (i == 0 && options_.lead_is_truck) cars.back().size = {9.0, 2.5, 3.6};
   }
   for (const Oncoming& car : oncoming_) {
     const double angle = car.frequency * time + car.phase;
@@ -57,6 +66,9 @@ MovingCar Traffic::Place(double s, double s_rate, double lateral) const {
   MovingCar car;
   car.center = point.position + lateral * Eigen::Vector2d(-tangent.y(), tangent.x());
   car.velocity = s_rate * (1.0 - lateral * point.curvature) * tangent;
+  const Terrain::Point ground = terrain_.At(car.center);
+  car.ground = ground.height;
+  car.climb = ground.gradient.dot(car.velocity);
   car.yaw_rate = s_rate * point.curvature;
   car.heading = point.heading + (s_rate < 0.0 ? kPi : 0.0);
   return car;

@@ -8,6 +8,7 @@
 
 #include "radive/simulation/radar_world.h"
 #include "radive/simulation/street_path.h"
+#include "radive/simulation/terrain.h"
 #include "radive/simulation/vehicle_motion.h"
 
 namespace radive {
@@ -16,8 +17,18 @@ namespace radive {
 // that grows with its speed, and the rest on the oncoming lane.
 class Traffic {
  public:
-  // Every fifth of `num_cars` (and at least one) drives ahead. `path` must outlive this object.
-  Traffic(const StreetPath& path, int num_cars, std::uint64_t seed);
+  struct Options {
+    int num_cars = 10;           // every fifth (and at least one) drives ahead
+    double lead_gap = 20.0;      // standing, from the rear axle to the centre of the first [m]
+    double lead_headway = 1.6;   // what its distance grows by with speed [s]
+    bool lead_is_truck = false;  // the first of those ahead
+  };
+
+  // `path` and `terrain` must outlive this object.
+  Traffic(const StreetPath& path,
+          const Terrain& terrain,
+          const Options& options,
+          std::uint64_t seed);
 
   // Where the cars are at `time` [s], when the radar's car has travelled as `ego` says.
   std::vector<MovingCar> CarsAt(double time, const VehicleMotion::Travel& ego) const;
@@ -33,6 +44,8 @@ class Traffic {
   MovingCar Place(double s, double s_rate, double lateral) const;
 
   const StreetPath& path_;
+  const Terrain& terrain_;
+  const Options options_;
   int num_ahead_ = 0;
   std::vector<Oncoming> oncoming_;
 };

@@ -10,11 +10,15 @@
 
 #include "radive/geometry/rigid3.h"
 #include "radive/simulation/street_path.h"
+#include "radive/simulation/terrain.h"
+#include "radive/simulation/vehicle_style.h"
+#include "radive/util/random.h"
 
 namespace radive {
 
-// How the simulated car moves along a StreetPath: it starts from rest, slows down for the corners,
-// stands at a traffic light once a lap, and pitches, rolls and heaves a little over the road.
+// How the simulated vehicle moves along a StreetPath: it starts from rest, slows down for the
+// corners, stops at traffic lights, and pitches, rolls and heaves a little over the road, which
+// follows the terrain.
 //
 // The body frame sits on the ground under the middle of the rear axle, x forward, y left, z up.
 // The rear axle does not slip sideways, so a radar ahead of it by l moves sideways with l times
@@ -22,7 +26,7 @@ namespace radive {
 class VehicleMotion {
  public:
   struct Travel {
-    double s = 0.0;             // arc length since the start, not wrapped [m]
+    double s = 0.0;             // arc length in the plane since the start, not wrapped [m]
     double speed = 0.0;         // ds/dt >= 0 [m/s]
     double acceleration = 0.0;  // [m/s^2]
   };
@@ -33,9 +37,18 @@ class VehicleMotion {
     Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // angular velocity, same frame [rad/s]
   };
 
-  // `path` must outlive this object. `max_speed` in m/s, > 0. `wobble` scales pitch, roll and
-  // heave: 1 gives about 0.3 deg, 0.4 deg and 2 cm, 0 a plane drive.
-  VehicleMotion(const StreetPath& path, double max_speed, double wobble, std::uint64_t seed);
+  struct Options {
+    VehicleStyle style;
+    double max_speed = 12.0;     // [m/s], > 0
+    double wobble = 1.0;         // factor on the deviations from the smooth path; 0: none
+    double stop_distance = 0.0;  // mean distance of the places where it stops [m]; 0: once a lap
+  };
+
+  // `path` and `terrain` must outlive this object.
+  VehicleMotion(const StreetPath& path,
+                const Terrain& terrain,
+                const Options& options,
+                std::uint64_t seed);
 
   // `time` in seconds since the start, >= 0. Not const: the drive is integrated as far as asked.
   Travel TravelAt(double time);
@@ -51,16 +64,19 @@ class VehicleMotion {
   using Waves = std::array<Wave, 2>;
 
   Waves MakeWaves(double amplitude, std::uint64_t seed) const;
-  void ComputeSpeedLimits(double max_speed);
+  void ComputeSpeedLimits();
   double SpeedLimit(double s) const;
   void AppendKnot();
 
   const StreetPath& path_;
+  const Terrain& terrain_;
+  const Options options_;
+  Random stops_;
   std::vector<double> speed_limits_;  // every kLimitStep along the loop [m/s]
   std::vector<Travel> knots_;         // every kKnotStep of time; speed is linear in between
   double next_stop_s_;                // where the next traffic light stands [m]
   double hold_until_ = 0.0;           // standing until this time [s]
-  Waves pitch_, roll_, heave_;
+  Waves pitch_, roll_, heave_, yaw_, sway_;
 };
 
 }  // namespace radive

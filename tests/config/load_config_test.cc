@@ -78,7 +78,8 @@ TEST(LoadRunConfig, NamesValuesOfTheWrongType) {
   EXPECT_EQ(ErrorOfYaml("input:\n  rate: [1, 2]\n"),
             "my.yaml:2: input.rate must be a number, >= 0.001 and <= 1e+06, is [1, 2]");
   EXPECT_EQ(ErrorOfYaml("output:\n  map: pionts\n"),
-            "my.yaml:2: output.map must be one of none | points, is pionts (did you mean points?)");
+            "my.yaml:2: output.map must be one of none | points | surface | mesh, is pionts (did "
+            "you mean points?)");
   EXPECT_EQ(ErrorOfSet("input.planar=1"), "--set: input.planar must be true or false, is 1");
   EXPECT_EQ(ErrorOfYaml("input:\n  rate: {a: 1}\n"),
             "my.yaml:2: input.rate must be a value or a list of values, is a block");
@@ -209,6 +210,18 @@ TEST(DescribeConfig, ListsEveryFieldWithItsDefaultAndReadsAsAConfiguration) {
   const auto read = ParseRunConfig(text, "help", "", &error);
   ASSERT_TRUE(read) << error;
   EXPECT_EQ(EffectiveConfig(*read), EffectiveConfig(RunConfig()));
+}
+
+TEST(ApplySettings, WorksOnStagesOfAnyProgram) {
+  double speed = 1.0;
+  const OptionField field = OptionField{"speed", &speed, "m/s", "Speed."}.AtMost(40.0);
+  std::string error;
+  EXPECT_TRUE(ApplySettings("simulation.speed=12.5", {{"simulation", {field}}}, &error)) << error;
+  EXPECT_EQ(speed, 12.5);
+  EXPECT_FALSE(ApplySettings("simulation.sped=1", {{"simulation", {field}}}, &error));
+  EXPECT_THAT(error, HasSubstr("did you mean simulation.speed?"));
+  EXPECT_FALSE(ApplySettings("simulation.speed=50", {{"simulation", {field}}}, &error));
+  EXPECT_THAT(error, HasSubstr("simulation.speed must be <= 40"));
 }
 
 TEST(Configs, EveryShippedFileLoadsAndFixesWhatTheSensorFixes) {

@@ -118,9 +118,12 @@ TEST(EgoVelocityEstimator, FollowsSimulatedDrives) {
   for (const Errors& errors : {dense, sparse}) {
     EXPECT_EQ(errors.num_invalid, 0);
     EXPECT_GT(errors.squared, 1.2);
-    EXPECT_LT(errors.squared, 3.0);
     EXPECT_LT(errors.worst, 0.2);
   }
+  EXPECT_LT(sparse.squared, 3.0);
+  // Returns of one target share their errors in angle, so that there are fewer independent ones
+  // than the covariance counts.
+  EXPECT_LT(dense.squared, 15.0);
   // The planar sensor takes slanting returns for level ones, which shortens the speed by 5 mm/s.
   const Errors planar = DriveScenario("street_planar", 800, options);
   EXPECT_EQ(planar.num_invalid, 0);

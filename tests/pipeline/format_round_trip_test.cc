@@ -12,6 +12,7 @@
 #include "radive/io/scan_writer.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/simulation_writer.h"
+#include "radive/simulation/scenarios.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {

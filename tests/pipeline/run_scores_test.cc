@@ -46,18 +46,18 @@ Reference ReferenceOf(const Trajectory& poses) {
   return reference;
 }
 
-TEST(ScoreRun, BringsTheEstimateToTheBodyOfTheReference) {
+TEST(ScoreEstimate, BringsTheEstimateToTheBodyOfTheReference) {
   // The truth is of a body 2 m ahead of the radar and turned by 0.5 rad.
   const Rigid3 T_radar_reference(QuaternionFromRotationVector({0, 0, 0.5}), {2, 0, 0});
   Trajectory truth = Bend(10);
   for (StampedPose& pose : truth) pose.T_world_body = pose.T_world_body * T_radar_reference;
   RunEstimate estimate = EstimateOf(Bend(10));
   std::string error;
-  auto scores = ScoreRun(estimate, ReferenceOf(truth), ReferenceOptions(), &error);
+  auto scores = ScoreEstimate(estimate, ReferenceOf(truth), ReferenceOptions(), &error);
   ASSERT_TRUE(scores) << error;
   EXPECT_GT((*scores)[0].result.statistics.rmse, 0.1) << "compared as they are";
   estimate.T_output_reference = T_radar_reference;
-  scores = ScoreRun(estimate, ReferenceOf(truth), ReferenceOptions(), &error);
+  scores = ScoreEstimate(estimate, ReferenceOf(truth), ReferenceOptions(), &error);
   ASSERT_TRUE(scores) << error;
   ASSERT_EQ(scores->size(), 4u) << "10 m of path have no segments of 100 m";
   for (const RunScore& score : *scores) {
@@ -67,27 +67,27 @@ TEST(ScoreRun, BringsTheEstimateToTheBodyOfTheReference) {
   EXPECT_EQ((*scores)[1].result.unit, "deg");
 }
 
-TEST(ScoreRun, WithoutStampsTakesTheLinesThatWereRunOver) {
+TEST(ScoreEstimate, WithoutStampsTakesTheLinesThatWereRunOver) {
   Reference reference = ReferenceOf(Bend(12));
   reference.has_stamps = false;
   const Trajectory all = Bend(12);
   RunEstimate estimate = EstimateOf(Trajectory(all.begin() + 3, all.begin() + 9));
   std::string error;
-  EXPECT_FALSE(ScoreRun(estimate, reference, ReferenceOptions(), &error));
+  EXPECT_FALSE(ScoreEstimate(estimate, reference, ReferenceOptions(), &error));
   EXPECT_THAT(error, HasSubstr("found 6 and 12"));
   estimate.start = 3;
   estimate.is_partial = true;
-  const auto scores = ScoreRun(estimate, reference, ReferenceOptions(), &error);
+  const auto scores = ScoreEstimate(estimate, reference, ReferenceOptions(), &error);
   ASSERT_TRUE(scores) << error;
   EXPECT_EQ((*scores)[0].result.num_matched, 6);
   EXPECT_NEAR((*scores)[0].result.statistics.rmse, 0.0, 1e-9);
 }
 
-TEST(ScoreRun, PlacesAloneHaveNoAngles) {
+TEST(ScoreEstimate, PlacesAloneHaveNoAngles) {
   Reference reference = ReferenceOf(Bend(10));
   reference.has_rotations = false;
   std::string error;
-  const auto scores = ScoreRun(EstimateOf(Bend(10)), reference, ReferenceOptions(), &error);
+  const auto scores = ScoreEstimate(EstimateOf(Bend(10)), reference, ReferenceOptions(), &error);
   ASSERT_TRUE(scores) << error;
   ASSERT_EQ(scores->size(), 2u);
   EXPECT_EQ((*scores)[1].name, "ape_trans_xy");
@@ -133,7 +133,7 @@ TEST(RunSequence, WritesTheScoresThatTheFolderGivesAgain) {
       (estimate->T_output_reference.translation - Eigen::Vector3d(2, 0, 0.5)).norm(), 0.0, 1e-12);
   const auto reference = ReadReference(truth, config.reference, /*clip=*/0, &error);
   ASSERT_TRUE(reference) << error;
-  const auto again = ScoreRun(*estimate, *reference, config.reference, &error);
+  const auto again = ScoreEstimate(*estimate, *reference, config.reference, &error);
   ASSERT_TRUE(again) << error;
   EXPECT_EQ((*again)[0].result.statistics.rmse,
             json.at("scores").at("ape_trans").at("rmse").get<double>());

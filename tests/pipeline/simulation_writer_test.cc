@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "radive/simulation/radar_simulator.h"
+#include "radive/simulation/scenarios.h"
 
 namespace radive {
 namespace {

@@ -105,6 +105,38 @@ TEST(RadarWorld, GridAgreesWithBruteForce) {
   EXPECT_GT(hits, 1000);
 }
 
+TEST(RadarWorld, RayPassesBelowAHangingWall) {
+  const RadarWorld world({{{10.0, -5.0}, {10.0, 5.0}, 3.0, Surface::kVegetation, 2.0}}, {});
+  const auto at_height = [](double z) { return Eigen::Vector3d(10.0, 0.0, z - 0.6).normalized(); };
+  EXPECT_FALSE(world.Cast(kOrigin, at_height(1.99), 100.0, {}));
+  EXPECT_TRUE(world.Cast(kOrigin, at_height(2.01), 100.0, {}));
+}
+
+// A roof 3 m up, 3-4-5: 4 m along the ray from 0.6 m.
+TEST(RadarWorld, RayMeetsTheCeiling) {
+  const RadarWorld world({}, {}, Terrain(), 3.0);
+  const auto hit = world.Cast(kOrigin, {0.8, 0.0, 0.6}, 100.0, {});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->distance, 4.0, 1e-12);
+  EXPECT_EQ(hit->surface, Surface::kConcrete);
+  EXPECT_EQ(hit->normal, Eigen::Vector3d(0.0, 0.0, -1.0));
+  EXPECT_NEAR(world.DistanceToSurface({5.0, 5.0, 2.5}), 0.5, 1e-12);
+}
+
+// A car on a hill is met at its own height, and rises with its climb.
+TEST(RadarWorld, CarsStandOnTheGround) {
+  MovingCar car;
+  car.center = {10.0, 0.0};
+  car.ground = 5.0;
+  car.climb = 0.5;
+  const RadarWorld world({}, {}, Terrain({{5.0, {0.0, 0.0}, std::asin(1.0)}}));  // z = 5
+  const auto hit = world.Cast({0.0, 0.0, 6.0}, Eigen::Vector3d::UnitX(), 100.0, {car});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->distance, 10.0 - 2.2, 1e-12);
+  EXPECT_EQ(hit->velocity.z(), 0.5);
+  EXPECT_FALSE(world.Cast({0.0, 0.0, 6.6}, Eigen::Vector3d::UnitX(), 100.0, {car}));
+}
+
 TEST(RadarWorld, DistanceToSurface) {
   const RadarWorld world = OneWall();
   EXPECT_NEAR(world.DistanceToSurface({7.0, 0.0, 5.0}), 3.6055512754639896, 1e-12);  // over the top
