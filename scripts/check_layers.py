@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LAYERS = [
     "util", "geometry", "sensor", "io", "ndt", "neural_map", "factors", "solver", "preprocessing",
     "ego_velocity", "training", "registration", "odometry", "evaluation", "simulation", "config",
-    "pipeline", "study",
+    "pipeline", "studies",
 ]  # fmt: skip
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')

@@ -5,135 +5,30 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "radive/config/setting_text.h"
+#include "radive/config/yaml_settings.h"
 
 namespace radive {
 namespace {
 
-using Stages = std::vector<std::pair<std::string, std::vector<OptionField>>>;
-
-std::string Suggestion(const std::string& word, const std::vector<std::string>& candidates) {
-  const std::optional<std::string> nearest = NearestWord(word, candidates);
-  return nearest ? ", did you mean " + *nearest + "?" : "";
-}
-
-std::vector<OptionField>* FindStage(const std::string& name, Stages* stages, std::string* error) {
-  std::vector<std::string> names;
-  std::string list;
-  for (auto& [stage, fields] : *stages) {
-    if (stage == name) return &fields;
-    names.push_back(stage);
-    list += (list.empty() ? "" : ", ") + stage;
-  }
-  const std::string suggestion = Suggestion(name, names);
-  *error = "unknown stage " + name + (suggestion.empty() ? "; the stages are " + list : suggestion);
-  return nullptr;
-}
-
-// Null when `stage` has no field `name`: then looks for the name in this stage first, then
-// whether it stands under the wrong stage, then for typing errors.
-OptionField* FindField(const std::string& stage,
-                       const std::string& name,
-                       Stages* stages,
-                       std::string* error) {
-  std::vector<OptionField>* fields = FindStage(stage, stages, error);
-  if (fields == nullptr) return nullptr;
-  std::vector<std::string> names;
-  for (OptionField& field : *fields) {
-    if (field.name == name) return &field;
-    names.push_back(field.name);
-  }
-  *error = "unknown key " + stage + "." + name;
-  const std::string suggestion = Suggestion(name, names);
-  if (!suggestion.empty()) {
-    *error += ", did you mean " + stage + "." + *NearestWord(name, names) + "?";
-    return nullptr;
-  }
-  for (const auto& [other, other_fields] : *stages) {
-    for (const OptionField& field : other_fields) {
-      if (field.name == name) {
-        *error += ", did you mean " + other + "." + name + "?";
-        return nullptr;
-      }
-    }
-  }
-  *error += "; --help_config lists all keys";
-  return nullptr;
-}
-
-std::string PlaceOf(const std::string& file, const YAML::Mark& mark) {
-  return mark.is_null() ? file + ": " : file + ":" + std::to_string(mark.line + 1) + ": ";
-}
-
-// False for maps, and lists of anything but plain values.
-bool ToSettingText(const YAML::Node& node, SettingText* text) {
-  if (node.IsNull()) {
-    text->words = {""};
-    return true;
-  }
-  if (node.IsScalar()) {
-    text->is_quoted = node.Tag() == "!";
-    text->words = {node.Scalar()};
-    return true;
-  }
-  if (!node.IsSequence()) return false;
-  text->is_list = true;
-  for (const YAML::Node& entry : node) {
-    if (!entry.IsScalar()) return false;
-    text->words.push_back(entry.Scalar());
-  }
-  return true;
-}
-
-bool ApplyStage(const std::string& file,
-                const std::string& stage,
-                const YAML::Node& settings,
-                Stages* stages,
-                std::string* error) {
-  std::set<std::string> seen;
-  for (const auto& entry : settings) {
-    const std::string place = PlaceOf(file, entry.first.Mark());
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
-    if (!seen.insert(key).second) {
-      *error = place + stage + "." + key + " is set twice";
-      return false;
-    }
-    OptionField* field = FindField(stage, key, stages, error);
-    SettingText text;
-    if (field != nullptr && !ToSettingText(entry.second, &text)) {
-      *error = stage + "." + key + " must be a value or a list of values, is a block";
-      field = nullptr;
-    }
-    if (field == nullptr || !AssignField(stage, text, field, error)) {
-      *error = place + *error;
-      return false;
-    }
-  }
-  return true;
-}
-
 bool ApplyYaml(const std::string& file,
                const YAML::Node& root,
-               Stages* stages,
+               SettingStages* stages,
                std::string* error) {
   if (root.IsNull()) return true;  // an empty file, or one of comments alone
   if (!root.IsMap()) {
-    *error = PlaceOf(file, root.Mark()) + "expected stages (\"registration:\") with their settings";
+    *error =
+        PlaceInYaml(file, root.Mark()) + "expected stages (\"registration:\") with their settings";
     return false;
   }
   std::set<std::string> seen;
   for (const auto& entry : root) {
-    const std::string place = PlaceOf(file, entry.first.Mark());
+    const std::string place = PlaceInYaml(file, entry.first.Mark());
     const std::string stage = entry.first.IsScalar() ? entry.first.Scalar() : "?";
     if (!seen.insert(stage).second) {
       *error = place + "stage " + stage + " appears twice";
@@ -148,7 +43,7 @@ bool ApplyYaml(const std::string& file,
       *error = place + "stage " + stage + " must hold indented lines \"key: value\"";
       return false;
     }
-    if (!ApplyStage(file, stage, entry.second, stages, error)) return false;
+    if (!ApplyYamlStage(file, stage, entry.second, stages, error)) return false;
   }
   return true;
 }
@@ -176,7 +71,7 @@ std::vector<std::string> SplitSettings(const std::string& text) {
   return settings;
 }
 
-bool ApplySet(const std::string& set_text, Stages* stages, std::string* error) {
+bool ApplySet(const std::string& set_text, SettingStages* stages, std::string* error) {
   for (const std::string& raw : SplitSettings(set_text)) {
     const std::size_t first = raw.find_first_not_of(" \t");
     if (first == std::string::npos) continue;  // "a.b=1,"
@@ -199,28 +94,11 @@ bool ApplySet(const std::string& set_text, Stages* stages, std::string* error) {
   return true;
 }
 
-bool ReadText(const std::string& path,
-              const std::string& what,
-              std::string* text,
-              std::string* error) {
-  std::error_code ignored;
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path, ignored)) {
-    *error =
-        path + ": cannot read the " + what + ": " + (file ? "is a folder" : std::strerror(errno));
-    return false;
-  }
-  std::stringstream buffer;
-  buffer << file.rdbuf();
-  *text = buffer.str();
-  return true;
-}
-
 // Reads the file that neural_map.decoder_file names.
 bool ReadDecoder(NeuralMapOptions* options, std::string* error) {
   if (options->decoder_file.empty()) return true;
   std::string text;
-  if (!ReadText(options->decoder_file, "decoder file", &text, error)) return false;
+  if (!ReadTextFile(options->decoder_file, "decoder file", &text, error)) return false;
   const auto decoder = SdfDecoder::FromText(text, options->decoder_file, error);
   if (decoder) options->decoder = std::make_shared<const SdfDecoder>(*decoder);
   return decoder.has_value();
@@ -233,16 +111,16 @@ std::optional<RunConfig> ParseRunConfig(const std::string& yaml_text,
                                         const std::string& set_text,
                                         std::string* error) {
   RunConfig config;
-  Stages stages = config.Stages();
+  SettingStages stages = config.Stages();
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(yaml_text);
     if (documents.size() > 1) {
-      *error = PlaceOf(place, documents[1].Mark()) + "expected one YAML document, not several";
+      *error = PlaceInYaml(place, documents[1].Mark()) + "expected one YAML document, not several";
       return std::nullopt;
     }
     if (!documents.empty() && !ApplyYaml(place, documents[0], &stages, error)) return std::nullopt;
   } catch (const YAML::Exception& exception) {
-    *error = PlaceOf(place, exception.mark) + "not valid YAML: " + exception.msg;
+    *error = PlaceInYaml(place, exception.mark) + "not valid YAML: " + exception.msg;
     return std::nullopt;
   }
   if (!ApplySet(set_text, &stages, error)) return std::nullopt;
@@ -258,12 +136,12 @@ std::optional<RunConfig> LoadRunConfig(const std::string& yaml_path,
                                        std::string* error) {
   std::string yaml_text;
   if (!yaml_path.empty()) {
-    if (!ReadText(yaml_path, "configuration file", &yaml_text, error)) return std::nullopt;
+    if (!ReadTextFile(yaml_path, "configuration file", &yaml_text, error)) return std::nullopt;
   }
   return ParseRunConfig(yaml_text, yaml_path, set_text, error);
 }
 
-bool ApplySettings(const std::string& set_text, Stages stages, std::string* error) {
+bool ApplySettings(const std::string& set_text, SettingStages stages, std::string* error) {
   return ApplySet(set_text, &stages, error);
 }
 

@@ -29,11 +29,14 @@ std::string ClockText(double seconds) {
 
 }  // namespace
 
-std::string ProgressLine(int done, std::optional<int> total, double elapsed) {
+std::string ProgressLine(int done,
+                         std::optional<int> total,
+                         double elapsed,
+                         const std::string& unit) {
   const double rate = elapsed > 0.0 ? done / elapsed : 0.0;
   char text[160];
   if (!total || *total <= 0) {
-    std::snprintf(text, sizeof(text), "%d scans  %.1f scans/s", done, rate);
+    std::snprintf(text, sizeof(text), "%d %s  %.1f %s/s", done, unit.c_str(), rate, unit.c_str());
     return text;
   }
   const double share = std::min(1.0, static_cast<double>(done) / *total);
@@ -45,11 +48,13 @@ std::string ProgressLine(int done, std::optional<int> total, double elapsed) {
   const std::string eta = rate > 0.0 ? ClockText(left / rate) : "-:--";
   std::snprintf(text,
                 sizeof(text),
-                "[%s] %d/%d scans  %.1f scans/s  ETA %s",
+                "[%s] %d/%d %s  %.1f %s/s  ETA %s",
                 bar.c_str(),
                 done,
                 *total,
+                unit.c_str(),
                 rate,
+                unit.c_str(),
                 eta.c_str());
   return text;
 }
@@ -68,7 +73,7 @@ void Progress::Update(int done) {
 
 void Progress::Draw(double elapsed) {
   last_draw_ = elapsed;
-  std::string line = ProgressLine(done_, total_, elapsed);
+  std::string line = ProgressLine(done_, total_, elapsed, unit_);
   if (mode_ == Mode::kLines) {
     std::fprintf(stream_, "%s\n", line.c_str());
   } else {

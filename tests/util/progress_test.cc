@@ -17,6 +17,8 @@ TEST(ProgressLine, ShowsBarRateAndTimeLeft) {
             "[==========>                   ] 100/300 scans  10.0 scans/s  ETA 0:20");
   EXPECT_EQ(ProgressLine(300, 300, 30.0),
             "[==============================] 300/300 scans  10.0 scans/s  ETA 0:00");
+  EXPECT_EQ(ProgressLine(15, 30, 10.0, "runs"),
+            "[===============>              ] 15/30 runs  1.5 runs/s  ETA 0:10");
   EXPECT_EQ(ProgressLine(0, 300, 0.0),
             "[>                             ] 0/300 scans  0.0 scans/s  ETA -:--");
 }

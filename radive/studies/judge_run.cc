@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/studies/judge_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "radive/config/yaml_settings.h"
+#include "radive/evaluation/path_length.h"
+#include "radive/io/trajectory_io.h"
+#include "radive/studies/score_run.h"
+
+namespace radive {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The last thing that the program said, without its name.
+std::string LastWords(const std::string& output) {
+  std::istringstream lines(output);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  const std::string prefix = "radive_odometry: ";
+  return last.rfind(prefix, 0) == 0 ? last.substr(prefix.size()) : last;
+}
+
+// Status and message of a run that ended badly; false when it ended well.
+bool EndedBadly(const Study& study, const RunEnd& end, RunRecord* record) {
+  const std::string words = LastWords(end.output);
+  const std::string behind = words.empty() ? "" : ": " + words;
+  if (end.timed_out) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof(seconds), "%g", study.timeout);
+    record->status = "timeout";
+    record->message = std::string("not done after ") + seconds + " s";
+  } else if (end.signal != 0) {
+    record->status = "crashed";
+    record->message =
+        "signal " + std::to_string(end.signal) + " (" + strsignal(end.signal) + ")" + behind;
+  } else if (end.exit_status != 0) {
+    record->status = "failed";
+    record->message = words.empty() ? "exit status " + std::to_string(end.exit_status) : words;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool ReadCounts(const fs::path& file, RunRecord* record, std::string* error) {
+  std::string text;
+  if (!ReadTextFile(file.string(), "report of the run", &text, error)) return false;
+  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  try {
+    record->scans = json.at("frames").get<int>();
+    record->registered = json.at("status").at("registered").get<int>();
+    record->timing.max_rss_mb = json.at("peak_memory_mb").get<double>();
+  } catch (const nlohmann::json::exception& exception) {
+    *error = file.string() + ": " + exception.what();
+    return false;
+  }
+  return true;
+}
+
+// The smallest value that at least this share of them does not exceed.
+double Percentile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0.0;
+  const double rank = std::ceil(share * static_cast<double>(sorted.size()));
+  return sorted[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
+}
+
+// The column odometry_ms of timing.csv; times that cannot be read stay zero.
+void ReadTimes(const fs::path& file, RunTiming* timing) {
+  std::string text;
+  std::string ignored;
+  if (!ReadTextFile(file.string(), "times", &text, &ignored)) return;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const std::size_t at = line.find("odometry_ms");
+  if (at == std::string::npos) return;
+  const auto column = std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), ',');
+  std::vector<double> times;
+  while (std::getline(lines, line)) {
+    std::size_t begin = 0;
+    for (std::ptrdiff_t i = 0; i < column && begin != std::string::npos; ++i) {
+      begin = line.find(',', begin);
+      if (begin != std::string::npos) ++begin;
+    }
+    if (begin != std::string::npos) times.push_back(std::strtod(line.c_str() + begin, nullptr));
+  }
+  std::sort(times.begin(), times.end());
+  timing->ms_per_scan_median = Percentile(times, 0.5);
+  timing->ms_per_scan_p95 = Percentile(times, 0.95);
+}
+
+// KITTI files have a line a scan of the whole drive and no stamps: gives them those of the
+// estimate.
+bool StampByScan(const StudyRun& run,
+                 const std::string& path,
+                 const RecordedTrajectory& estimate,
+                 RecordedTrajectory* reference,
+                 std::string* error) {
+  const std::size_t start = static_cast<std::size_t>(run.start);
+  if (reference->size() < start + estimate.size()) {
+    *error = path + ": expected a pose for each of " + std::to_string(start + estimate.size()) +
+             " scans, found " + std::to_string(reference->size());
+    return false;
+  }
+  reference->erase(reference->begin(), reference->begin() + run.start);
+  reference->resize(estimate.size());
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    (*reference)[i].stamp_ns = estimate[i].stamp_ns;
+    (*reference)[i].stamp_s = estimate[i].stamp_s;
+  }
+  return true;
+}
+
+bool Score(const Study& study,
+           const StudyRun& run,
+           const fs::path& folder,
+           const fs::path& reference_path,
+           RecordedTrajectory* reference,
+           RunRecord* record,
+           std::string* error) {
+  const auto estimate =
+      ReadTrajectory(folder / "trajectory_tum.txt", TrajectoryFormat::kTum, error);
+  if (!estimate) return false;
+  std::vector<MatrixPose> poses;
+  for (const RecordedPose& pose : *estimate) poses.push_back(pose.T_world_body);
+  record->scores.path_length = PathLengths(poses).back();
+  if (reference_path.empty()) return true;
+
+  auto read = ReadTrajectory(reference_path, run.sequence->reference_format, error);
+  if (!read) return false;
+  if (run.sequence->reference_format == TrajectoryFormat::kKitti &&
+      !StampByScan(run, reference_path.string(), *estimate, &*read, error)) {
+    return false;
+  }
+  *reference = *std::move(read);
+  const auto scores = ScoreRun(*reference, *estimate, study.evaluation, error);
+  if (!scores) {
+    *error = "no score: " + *error;
+    return false;
+  }
+  const auto path_length = record->scores.path_length;
+  record->scores = *scores;
+  record->scores.path_length = path_length;
+  return true;
+}
+
+}  // namespace
+
+void JudgeRun(const Study& study,
+              const StudyRun& run,
+              const RunEnd& end,
+              const fs::path& folder,
+              const fs::path& reference_path,
+              RecordedTrajectory* reference,
+              RunRecord* record) {
+  if (EndedBadly(study, end, record)) return;
+  record->timing.wall_s = end.wall_s;
+  record->timing.cpu_s = end.cpu_s;
+  record->timing.max_rss_mb = end.max_rss_mb;
+  std::string error;
+  if (ReadCounts(folder / "run.json", record, &error) &&
+      Score(study, run, folder, reference_path, reference, record, &error)) {
+    ReadTimes(folder / "timing.csv", &record->timing);
+    record->status = "ok";
+    return;
+  }
+  record->status = "failed";
+  record->message = error;
+  record->scores = RunScores();
+}
+
+}  // namespace radive

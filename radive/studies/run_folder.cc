@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/studies/run_folder.h"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
+
+#include "radive/config/describe_config.h"
+#include "radive/config/yaml_settings.h"
+#include "radive/io/trajectory_io.h"
+#include "radive/io/whole_file.h"
+#include "radive/pipeline/output_file.h"
+#include "radive/util/text.h"
+
+namespace radive {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json ReadJson(const fs::path& file) {
+  std::string text;
+  std::string ignored;
+  if (!ReadTextFile(file.string(), "file", &text, &ignored)) return Json();
+  return Json::parse(text, nullptr, /*allow_exceptions=*/false);
+}
+
+std::vector<std::string> LeftOut(KeptFiles kept) {
+  std::vector<std::string> names;
+  if (kept != KeptFiles::kAll) names = {"map.ply", "scans.csv", "timing.csv"};
+  if (kept == KeptFiles::kScores) {
+    for (const char* name : {"trajectory_tum.txt", "trajectory_kitti.txt", "reference.tum"}) {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const fs::path& output, const StudyRun& run)
+    : path_(output / "runs" / run.Name()) {
+  const std::string seed = path_.filename().string();
+  partial_ = path_.parent_path() / ("." + seed + ".partial");
+  replaced_ = path_.parent_path() / ("." + seed + ".replaced");
+  lock_ = path_.parent_path() / ("." + seed + ".lock");
+}
+
+std::optional<RunRecord> RunFolder::ReadRecord() const {
+  const Json json = ReadJson(path_ / "run.json");
+  if (!json.is_object() || !json.contains("batch")) return std::nullopt;
+  return RunRecordFromJson(json["batch"]);
+}
+
+bool RunFolder::MakeParent(std::string* error) const {
+  std::error_code code;
+  fs::create_directories(path_.parent_path(), code);
+  if (code) *error = path_.parent_path().string() + ": cannot be made: " + code.message();
+  return !code;
+}
+
+bool RunFolder::Begin(const StudyRun& run, std::string* error) const {
+  std::error_code code;
+  fs::remove_all(replaced_, code);
+  if (!code) fs::remove_all(partial_, code);
+  if (!code) fs::create_directory(partial_, code);
+  if (code) {
+    *error = partial_.string() + ": cannot be made: " + code.message();
+    return false;
+  }
+  // radive_odometry is told to read it, and writes the same text over it.
+  return WriteWholeFile(partial_ / "config.yaml", EffectiveConfig(run.config), error);
+}
+
+bool RunFolder::WriteRunJson(const RunRecord& record,
+                             const StudyRun& run,
+                             const std::string& reference_path,
+                             std::string* error) const {
+  Json json = ReadJson(partial_ / "run.json");
+  if (!json.is_object()) json = Json::object();
+  if (json.contains("command_line") && json["command_line"].is_string()) {
+    // As it can be given again.
+    json["command_line"] =
+        ReplaceAll(json["command_line"].get<std::string>(), partial_.string(), path_.string());
+  }
+  Json batch = RunRecordToJson(record);
+  batch["reference"] = reference_path;
+  batch["start"] = run.start;
+  batch["frames"] = run.frames;
+  json["batch"] = std::move(batch);
+  return WriteWholeFile(partial_ / "run.json",
+                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+                        error);
+}
+
+bool RunFolder::Commit(const RunRecord& record,
+                       const StudyRun& run,
+                       const std::string& reference_path,
+                       const RecordedTrajectory& reference,
+                       const std::string& log,
+                       KeptFiles kept,
+                       std::string* error) const {
+  std::error_code code;
+  if (record.status == "ok") {
+    for (const std::string& name : LeftOut(kept)) fs::remove(partial_ / name, code);
+  } else {
+    // What a broken run left of its files has no use, and may be what filled the disk.
+    for (const char* name : {"trajectory_tum.txt",
+                             "trajectory_kitti.txt",
+                             "scans.csv",
+                             "timing.csv",
+                             "map.ply",
+                             "config.yaml",
+                             "run.json"}) {
+      fs::remove(partial_ / OutputFile::PartialName(name), code);
+    }
+  }
+  const bool has_reference = !reference.empty() && kept != KeptFiles::kScores;
+  if (has_reference &&
+      !WriteTumTrajectory(partial_ / "reference.tum", ToTrajectory(reference), error)) {
+    return false;
+  }
+  if (!WriteWholeFile(partial_ / "log.txt", log, error) ||
+      !WriteRunJson(record, run, reference_path, error)) {
+    return false;
+  }
+  fs::rename(path_, replaced_, code);  // when there is an earlier one
+  fs::rename(partial_, path_, code);
+  if (code) {
+    *error = path_.string() + ": cannot be made: " + code.message();
+    return false;
+  }
+  fs::remove_all(replaced_, code);
+  return true;
+}
+
+void RunFolder::Discard() const {
+  std::error_code ignored;
+  fs::remove_all(partial_, ignored);
+}
+
+}  // namespace radive
