@@ -17,51 +17,9 @@ matplotlib.use("Agg")  # no display needed
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-
-def read_tum(path):
-    """Rows of t x y z qx qy qz qw."""
-    rows = np.loadtxt(path, comments="#", ndmin=2)
-    if rows.size == 0 or rows.shape[1] != 8:
-        sys.exit(f"{path}: expected lines of 8 numbers: t x y z qx qy qz qw")
-    return rows
-
-
-def read_ply(path):
-    """Points (N x 3) of a binary little-endian PLY with float x y z."""
-    data = path.read_bytes()
-    end = data.index(b"end_header\n") + len(b"end_header\n")
-    return np.frombuffer(data[end:], "<f4").reshape(-1, 3)
-
-
-def rotation_matrices(quaternions):
-    x, y, z, w = (quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)).T
-    return np.stack(
-        [
-            np.stack([1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)], -1),
-            np.stack([2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)], -1),
-            np.stack([2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)], -1),
-        ],
-        -2,
-    )
-
-
-def match(reference, estimate, max_time_difference=0.01):
-    """Rows of both whose stamps are nearest and close enough."""
-    indices = np.searchsorted(reference[:, 0], estimate[:, 0]).clip(1, len(reference) - 1)
-    before = np.abs(reference[indices - 1, 0] - estimate[:, 0])
-    after = np.abs(reference[indices, 0] - estimate[:, 0])
-    indices = np.where(before <= after, indices - 1, indices)
-    close = np.minimum(before, after) <= max_time_difference
-    return reference[indices[close]], estimate[close]
-
-
-def align(reference, estimate):
-    """Rotation and translation that lay the first estimated pose on the first reference pose.
-
-    A fit of all positions would leave the roll open on straight drives.
-    """
-    rotation = rotation_matrices(reference[:1, 4:])[0] @ rotation_matrices(estimate[:1, 4:])[0].T
-    return rotation, reference[0, 1:4] - rotation @ estimate[0, 1:4]
+from report.figures import widen  # noqa: E402
+from report.run_files import FileError, read_points, read_tum  # noqa: E402
+from report.trajectories import PoseErrors, match  # noqa: E402
 
 
 def save(figure, path):
@@ -69,16 +27,6 @@ def save(figure, path):
     figure.savefig(path, dpi=120)
     plt.close(figure)
     print(path)
-
-
-def widen(axes):
-    """A straight drive is no line without height: the shorter side gets a third of the longer one."""
-    x, y = axes.get_xlim(), axes.get_ylim()
-    least = max(x[1] - x[0], y[1] - y[0]) / 3
-    for limits, set_limits in ((x, axes.set_xlim), (y, axes.set_ylim)):
-        margin = (least - (limits[1] - limits[0])) / 2
-        if margin > 0:
-            set_limits(limits[0] - margin, limits[1] + margin)
 
 
 def plot_trajectory(path, positions, reference):
@@ -94,19 +42,11 @@ def plot_trajectory(path, positions, reference):
     save(figure, path)
 
 
-def plot_errors(path, reference, estimate, rotation, positions):
-    distance = np.concatenate(
-        [[0.0], np.cumsum(np.linalg.norm(np.diff(reference[:, 1:4], axis=0), axis=1))]
-    )
-    position_error = np.linalg.norm(positions - reference[:, 1:4], axis=1)
-    relative = np.swapaxes(rotation_matrices(reference[:, 4:]), 1, 2) @ (
-        rotation @ rotation_matrices(estimate[:, 4:])
-    )
-    cosine = (np.trace(relative, axis1=1, axis2=2) - 1) / 2
+def plot_errors(path, errors):
     figure, (upper, lower) = plt.subplots(2, sharex=True, figsize=(8, 5))
-    upper.plot(distance, position_error)
+    upper.plot(errors.distance, errors.translation)
     upper.set(ylabel="position error [m]")
-    lower.plot(distance, np.degrees(np.arccos(cosine.clip(-1, 1))), color="tab:orange")
+    lower.plot(errors.distance, np.degrees(errors.rotation), color="tab:orange")
     lower.set(xlabel="distance travelled [m]", ylabel="rotation error [deg]")
     for axes in (upper, lower):
         axes.set_ylim(bottom=0)
@@ -134,23 +74,27 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, required=True, help="folder for the pictures")
     arguments = parser.parse_args()
 
+    try:
+        draw(arguments)
+    except (FileError, ValueError) as error:
+        sys.exit(f"plot_run.py: {error}")
+
+
+def draw(arguments):
     estimate = read_tum(arguments.results / "trajectory_tum.txt")
     arguments.output.mkdir(parents=True, exist_ok=True)
-    reference = None
-    positions = estimate[:, 1:4]
     if arguments.reference:
-        reference, matched = match(read_tum(arguments.reference), estimate)
-        if len(matched) < 3:
-            sys.exit("fewer than 3 poses of estimate and reference have the same stamps")
-        rotation, translation = align(reference, matched)
-        aligned = matched[:, 1:4] @ rotation.T + translation
-        plot_errors(arguments.output / "errors.png", reference, matched, rotation, aligned)
-        plot_trajectory(arguments.output / "trajectory.png", aligned, reference)
+        reference = read_tum(arguments.reference)
+        # A fit of all positions would leave the roll open on straight drives.
+        errors = PoseErrors(reference, estimate, align="origin", plane="none")
+        plot_errors(arguments.output / "errors.png", errors)
+        matched, _ = match(reference, estimate)
+        plot_trajectory(arguments.output / "trajectory.png", errors.positions, matched)
     else:
-        plot_trajectory(arguments.output / "trajectory.png", positions, None)
+        plot_trajectory(arguments.output / "trajectory.png", estimate[:, 1:4], None)
     map_file = arguments.results / "map.ply"
     if map_file.exists():
-        plot_map(arguments.output / "map.png", read_ply(map_file), positions)
+        plot_map(arguments.output / "map.png", read_points(map_file), estimate[:, 1:4])
 
 
 if __name__ == "__main__":

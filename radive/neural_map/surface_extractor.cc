@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "radive/neural_map/decoder_kernel.h"
 #include "radive/neural_map/sdf_query.h"
@@ -35,10 +36,18 @@ std::vector<OptionField> SurfaceOptions::Fields() {
 }
 
 std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecoder& decoder) {
+  std::vector<int> all(static_cast<std::size_t>(map.size()));
+  std::iota(all.begin(), all.end(), 0);
+  return EvaluatePoints(map, decoder, all);
+}
+
+std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
+                                         const SdfDecoder& decoder,
+                                         const std::vector<int>& indices) {
   std::vector<SurfacePoint> result;
-  result.reserve(static_cast<std::size_t>(map.size()));
+  result.reserve(indices.size());
   WithDecoderKernel(decoder, map.options().resolution, [&](const auto& kernel) {
-    for (int k = 0; k < map.size(); ++k) {
+    for (const int k : indices) {
       const NeuralPoint& point = map.point(k);
       const SdfValue field = QuerySdf(map, kernel, point.position);
       if (field.num_neighbors == 0) continue;
@@ -59,10 +68,8 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecod
 namespace {
 
 // As many points as pass the threshold, those of the largest support.
-std::vector<SurfacePoint> DensestPoints(const NeuralPoints& map,
-                                        const SdfDecoder& decoder,
+std::vector<SurfacePoint> DensestPoints(std::vector<SurfacePoint> points,
                                         const SurfaceOptions& options) {
-  std::vector<SurfacePoint> points = EvaluatePoints(map, decoder);
   const auto count = std::count_if(points.begin(), points.end(), [&](const SurfacePoint& point) {
     return point.support >= options.min_support && std::abs(point.sdf) <= options.threshold;
   });
@@ -78,13 +85,13 @@ std::vector<SurfacePoint> DensestPoints(const NeuralPoints& map,
 
 }  // namespace
 
-std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
-                                         const SdfDecoder& decoder,
-                                         const SurfaceOptions& options) {
+std::vector<SurfacePoint> SelectSurface(const std::vector<SurfacePoint>& points,
+                                        const SurfaceOptions& options) {
+  if (options.criterion == SurfaceOptions::Criterion::kDensity) {
+    return DensestPoints(points, options);
+  }
   std::vector<SurfacePoint> surface;
-  if (options.criterion == SurfaceOptions::Criterion::kDensity)
-    return DensestPoints(map, decoder, options);
-  for (SurfacePoint point : EvaluatePoints(map, decoder)) {
+  for (SurfacePoint point : points) {
     if (!(point.support >= options.min_support)) continue;
     if (!options.soft && !(std::abs(point.sdf) <= options.threshold)) continue;
     const double ratio = point.sdf / options.threshold;
@@ -93,6 +100,12 @@ std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
     surface.push_back(point);
   }
   return surface;
+}
+
+std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
+                                         const SdfDecoder& decoder,
+                                         const SurfaceOptions& options) {
+  return SelectSurface(EvaluatePoints(map, decoder), options);
 }
 
 }  // namespace radive

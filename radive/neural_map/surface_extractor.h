@@ -26,8 +26,17 @@ struct SurfacePoint {
 // whose field is not finite are left out.
 std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecoder& decoder);
 
-// The surface points: |S| <= threshold (paper, eq. of P_surf) and support >= min_support, moved and
-// weighted as `options` say. Order of the neural points.
+// The same of the neural points `indices` alone.
+std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
+                                         const SdfDecoder& decoder,
+                                         const std::vector<int>& indices);
+
+// Those of `points` that lie on a surface: |S| <= threshold (paper, eq. of P_surf) and support >=
+// min_support, moved and weighted as `options` say, in the same order.
+std::vector<SurfacePoint> SelectSurface(const std::vector<SurfacePoint>& points,
+                                        const SurfaceOptions& options);
+
+// SelectSurface() of all neural points.
 std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
                                          const SdfDecoder& decoder,
                                          const SurfaceOptions& options);

@@ -7,13 +7,22 @@
 #include <string>
 #include <vector>
 
+#include "radive/neural_map/surface_record.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/odometry/odometry_result.h"
 #include "radive/sensor/radar_scan.h"
 
 namespace radive {
 
-// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each.
+// A surface that one radar has learned, in the frame `map`, and where that was at its last scan.
+struct RadarSurface {
+  Rigid3 T_world_map;
+  SurfaceRecord record;
+};
+
+// Radar odometry: feed the scans of a drive in order, get the pose of the radar after each. Scans
+// may be of several radars of one vehicle (RadarScan::radar, sensor.mounts): each has an odometry
+// of its own, and what these say of the vehicle's motion is averaged (see MotionFusion).
 //
 //   radive::Odometry odometry(options);
 //   for (const radive::RadarScan& scan : scans) {
@@ -36,6 +45,11 @@ class Odometry {
   // Remarks worth a line in the log ("scans carry no Doppler: ego velocity and weights are off").
   // Cleared by the call.
   std::vector<std::string> TakeNotes();
+
+  // What the neural submaps have learned of the surface over the whole drive: for maps, at the end
+  // of a drive. Empty unless options.sdf_submap.record is set, and of radars whose submap stayed
+  // raw. Ends the recording.
+  std::vector<RadarSurface> TakeSurfaces();
 
  private:
   class Impl;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <future>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -41,7 +42,11 @@ Eigen::Matrix3d Flattened(const Eigen::Matrix3d& S, const Eigen::Vector3d& n, do
 class SurfaceWorker {
  public:
   explicit SurfaceWorker(const OdometryOptions& options)
-      : options_(options), mapper_(MapOptions(options), options.training) {}
+      : options_(options), mapper_(MapOptions(options), options.training) {
+    if (options.sdf_submap.record) {
+      record_.emplace(options.sdf_submap.record_grid_spacing, options.surface.min_support);
+    }
+  }
 
   TrainedSubmap Add(const Keyframe& keyframe) {
     MapKeyframe entry;
@@ -54,7 +59,11 @@ class SurfaceWorker {
       entry.returns.push_back(
           {keyframe.T_world_radar * p_radar, keyframe.weights[i], R * noise * R.transpose()});
     }
+    if (record_) {
+      record_->BeforeKeyframe(mapper_.map(), mapper_.decoder(), entry.origin, num_keyframes_);
+    }
     mapper_.AddKeyframe(entry);
+    ++num_keyframes_;
     if (options_.sdf_submap.source == SdfSubmapOptions::Source::kReturns) {
       window_.push_back(std::move(entry.returns));
       while (static_cast<int>(window_.size()) > options_.submap.num_keyframes) window_.pop_front();
@@ -69,6 +78,11 @@ class SurfaceWorker {
             : GaussiansOfReturnsNear(surface));
     trained.search = std::make_unique<PairSearch>(*trained.gaussians);
     return trained;
+  }
+
+  std::optional<SurfaceRecord> TakeRecord() {
+    if (record_) record_->Finish(mapper_.map(), mapper_.decoder());
+    return std::exchange(record_, std::nullopt);
   }
 
  private:
@@ -142,6 +156,8 @@ class SurfaceWorker {
 
   const OdometryOptions options_;
   SdfMapper mapper_;
+  std::optional<SurfaceRecord> record_;
+  int num_keyframes_ = 0;
   std::deque<std::vector<MapReturn>> window_;
 };
 
@@ -181,6 +197,11 @@ class SdfSubmap : public Submap {
     worker_ = std::make_unique<SurfaceWorker>(options_);
     if (mode_ == Mode::kSurface) mode_ = Mode::kUndecided;
     num_keyframes_ = 0;
+  }
+
+  std::optional<SurfaceRecord> TakeSurfaceRecord() override {
+    if (pending_.valid()) Join();
+    return worker_ != nullptr ? worker_->TakeRecord() : std::nullopt;
   }
 
   const PairSearch* search() const override {

@@ -31,6 +31,11 @@ struct SdfSubmapOptions {
   // [-].
   double flatten = 0.0;
 
+  // Whether what is learned is kept for a map of the drive (Odometry::TakeSurfaces), and the
+  // spacing of its grid [m], 0: none. Not settings: whoever writes maps sets them.
+  bool record = false;
+  double record_grid_spacing = 0.0;
+
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const { return CheckOptions("sdf_submap", *this, error); }
 };

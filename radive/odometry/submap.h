@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "radive/geometry/rigid3.h"
 #include "radive/ndt/distance_bounded_pairs.h"
 #include "radive/ndt/ndt_options.h"
+#include "radive/neural_map/surface_record.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/odometry/submap_options.h"
 #include "radive/sensor/radar_scan.h"
@@ -44,6 +46,10 @@ class Submap {
 
   // Remarks worth a line in the log; cleared by the call.
   virtual std::vector<std::string> TakeNotes() { return {}; }
+
+  // What was learned of the surface over the whole drive; nothing when that was not asked for
+  // (SdfSubmapOptions::record) or not learned. Ends the recording.
+  virtual std::optional<SurfaceRecord> TakeSurfaceRecord() { return std::nullopt; }
 
   // Search over the Gaussians of the submap, world frame; nullptr before the first keyframe. Valid
   // until the next change.

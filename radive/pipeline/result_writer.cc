@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <unordered_set>
 
 #include "radive/pipeline/result_rows.h"
@@ -15,13 +14,17 @@
 namespace radive {
 namespace {
 
-constexpr std::array<const char*, 7> kResultFiles = {"trajectory_tum.txt",
-                                                     "trajectory_kitti.txt",
-                                                     "scans.csv",
-                                                     "timing.csv",
-                                                     "map.ply",
-                                                     "config.yaml",
-                                                     "run.json"};
+constexpr std::array<const char*, 11> kResultFiles = {"trajectory_tum.txt",
+                                                      "trajectory_kitti.txt",
+                                                      "scans.csv",
+                                                      "timing.csv",
+                                                      "map.ply",
+                                                      "neural_points.ply",
+                                                      "mesh.ply",
+                                                      "sdf_slice.ply",
+                                                      "scores.json",
+                                                      "config.yaml",
+                                                      "run.json"};
 
 bool IsResultFile(const std::string& name) {
   return std::any_of(kResultFiles.begin(), kResultFiles.end(), [&name](const char* result) {
@@ -60,13 +63,6 @@ bool PrepareFolder(const std::filesystem::path& folder, std::string* error) {
   return true;
 }
 
-void AppendFloat(double value, std::string* bytes) {
-  const float number = static_cast<float>(value);
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &number, sizeof(bits));
-  for (int shift = 0; shift < 32; shift += 8) *bytes += static_cast<char>((bits >> shift) & 0xFFu);
-}
-
 }  // namespace
 
 bool ResultWriter::Open(const std::filesystem::path& folder, std::string* error) {
@@ -88,19 +84,6 @@ bool ResultWriter::AddScan(const ScanInfo& info, const OdometryResult& result, s
   timing_.Write(TimingRow(result, info.read_ms));
   // Flushed so that a killed run leaves its partial files up to the last scan.
   return tum_.Flush(error) && kitti_.Flush(error) && scans_.Flush(error) && timing_.Flush(error);
-}
-
-bool ResultWriter::WriteMap(const std::vector<Eigen::Vector3d>& points, std::string* error) {
-  std::string bytes =
-      "ply\nformat binary_little_endian 1.0\ncomment map of radive_odometry, world frame, metres\n"
-      "element vertex " +
-      std::to_string(points.size()) +
-      "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
-  bytes.reserve(bytes.size() + 12 * points.size());
-  for (const Eigen::Vector3d& point : points) {
-    for (int axis = 0; axis < 3; ++axis) AppendFloat(point[axis], &bytes);
-  }
-  return WriteText("map.ply", bytes, error);
 }
 
 bool ResultWriter::WriteText(const std::string& name, const std::string& text, std::string* error) {

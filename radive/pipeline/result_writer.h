@@ -24,12 +24,13 @@ struct ScanInfo {
 // The results folder of a run. Rows are streamed, so memory does not grow with the drive; files
 // get their names in Finish(), so they appear whole or not at all.
 //
-//   trajectory_tum.txt    "t x y z qx qy qz qw" of T_world_radar, a line for each input scan
+//   trajectory_tum.txt    "t x y z qx qy qz qw" of T_world_body, a line for each input scan
 //   trajectory_kitti.txt  rows of [R | t], a line for each input scan
 //   scans.csv             status, ego velocity, registration and covariances of each scan
 //   timing.csv            milliseconds of each stage and scan (the only file that varies, with
 //                         run.json, between two runs of the same command)
-//   map.ply, config.yaml, run.json   see WriteMap(), WriteText()
+//   map.ply, neural_points.ply, mesh.ply, sdf_slice.ply   see map_files.h
+//   scores.json, config.yaml, run.json                    see WriteText()
 class ResultWriter {
  public:
   // Creates the folder and opens the streamed files. A folder that holds anything but earlier
@@ -39,14 +40,13 @@ class ResultWriter {
   // False when something could not be written (a full disk): `error` names the file.
   bool AddScan(const ScanInfo& info, const OdometryResult& result, std::string* error);
 
-  // map.ply: binary little-endian float x y z [m].
-  bool WriteMap(const std::vector<Eigen::Vector3d>& points, std::string* error);
-
-  // A small file in one go, such as run.json.
+  // A file in one go, such as run.json.
   bool WriteText(const std::string& name, const std::string& text, std::string* error);
 
   // Removes an earlier run's file that this run does not write.
   void RemoveEarlier(const std::string& name);
+
+  const std::filesystem::path& folder() const { return folder_; }
 
   // Gives the streamed files their names. Tries all, and reports the first that failed.
   bool Finish(std::string* error);

@@ -52,8 +52,7 @@ std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const Registr
     const RegistrationPriors::Displacement& prior = *priors.displacement;
     factors.emplace_back(DisplacementPriorFactor::Create(Shifted(prior.T_submap_radar0, origin),
                                                          prior.displacement,
-                                                         SqrtInformation<3>(prior.covariance),
-                                                         prior.lever));
+                                                         SqrtInformation<3>(prior.covariance)));
   }
   if (priors.rotation) {
     factors.emplace_back(RotationPriorFactor::Create(

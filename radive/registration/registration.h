@@ -27,8 +27,6 @@ struct RegistrationPriors {
     Rigid3 T_submap_radar0;        // the previous pose
     Eigen::Vector3d displacement;  // chord in the radar frame half-way [m]
     Eigen::Matrix3d covariance;    // [m^2]
-    Eigen::Vector3d lever =
-        Eigen::Vector3d::Zero();  // the point that is displaced, radar frame [m]
   };
   struct Rotation {
     Eigen::Quaterniond q_submap_radar;

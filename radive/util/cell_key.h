@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 
@@ -20,6 +21,15 @@ inline std::uint64_t CellKey(std::int64_t x, std::int64_t y, std::int64_t z) {
 inline std::uint64_t CellKey(double x, double y, double z) {
   return CellKey(
       static_cast<std::int64_t>(x), static_cast<std::int64_t>(y), static_cast<std::int64_t>(z));
+}
+
+// The coordinates that CellKey() has packed, of the cells that it tells apart.
+inline Eigen::Vector3i CellOfKey(std::uint64_t key) {
+  const auto coordinate = [key](int shift) {
+    const int bits = static_cast<int>((key >> shift) & ((1u << 21) - 1));
+    return bits < (1 << 20) ? bits : bits - (1 << 21);
+  };
+  return {coordinate(0), coordinate(21), coordinate(42)};
 }
 
 // Mixes the packed coordinates (finaliser of SplitMix64): robin maps want good low bits.

@@ -78,7 +78,8 @@ TEST(LoadRunConfig, NamesValuesOfTheWrongType) {
   EXPECT_EQ(ErrorOfYaml("input:\n  rate: [1, 2]\n"),
             "my.yaml:2: input.rate must be a number, >= 0.001 and <= 1e+06, is [1, 2]");
   EXPECT_EQ(ErrorOfYaml("output:\n  map: pionts\n"),
-            "my.yaml:2: output.map must be one of none | points, is pionts (did you mean points?)");
+            "my.yaml:2: output.map must be one of none | points | surface | mesh, is pionts (did "
+            "you mean points?)");
   EXPECT_EQ(ErrorOfSet("input.planar=1"), "--set: input.planar must be true or false, is 1");
   EXPECT_EQ(ErrorOfYaml("input:\n  rate: {a: 1}\n"),
             "my.yaml:2: input.rate must be a value or a list of values, is a block");

@@ -245,21 +245,6 @@ TEST(DisplacementPriorFactor, IsZeroForTheChordOfACircle) {
   }
 }
 
-// The rear axle, seen as a point of the radar frame, moves straight ahead by the chord of its own
-// arc.
-TEST(DisplacementPriorFactor, KnowsTheDisplacementOfAnyPoint) {
-  const CircleDrive drive{10.0, Mount()};
-  constexpr double kArc = 1.5;
-  const double half_turn = 0.5 * kArc / drive.radius;
-  const Eigen::Vector3d displacement = Mount().rotation.conjugate() * Eigen::Vector3d::UnitX() *
-                                       kArc * std::sin(half_turn) / half_turn;
-  const CostPtr cost(DisplacementPriorFactor::Create(drive.RadarAt(3.0),
-                                                     displacement,
-                                                     100.0 * Eigen::Matrix3d::Identity(),
-                                                     Mount().Inverse().translation));
-  EXPECT_LT(Residuals(cost, drive.RadarAt(3.0 + kArc)).norm(), 1e-11);
-}
-
 // Without turning: e = L (1, 2, -0.5) beyond the displacement, in the frame of the first pose.
 TEST(DisplacementPriorFactor, ResidualIsInStandardDeviations) {
   const Rigid3 T0{QuaternionFromRotationVector({0.1, -0.3, 2.0}), {30.0, 40.0, 1.0}};

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "tests/simulated_drive.h"
 
 namespace radive {
@@ -76,8 +79,32 @@ TEST(SdfSubmap, HandsOverByScanIndex) {
   }
 }
 
+// The walls of three keyframes, on one thread and on two, as they are after the last of them.
+TEST(SdfSubmap, RecordsTheSurfaceOnlyWhenAskedTo) {
+  std::vector<std::vector<SurfacePoint>> surfaces;
+  for (const int num_threads : {0, 1, 2}) {
+    OdometryOptions options = SdfOptions();
+    options.num_threads = std::max(1, num_threads);
+    options.sdf_submap.record = num_threads > 0;
+    const auto submap = MakeSubmap(options);
+    for (int k = 0; k < 3; ++k) submap->AddKeyframe(WallKeyframe(k, 0.25));
+    const std::optional<SurfaceRecord> record = submap->TakeSurfaceRecord();
+    ASSERT_EQ(record.has_value(), num_threads > 0);
+    if (record) surfaces.push_back(SelectSurface(record->points(), options.surface));
+    EXPECT_FALSE(submap->TakeSurfaceRecord().has_value()) << "taken";
+  }
+  ASSERT_EQ(surfaces[0].size(), surfaces[1].size());
+  EXPECT_GT(surfaces[0].size(), 40u);
+  for (std::size_t i = 0; i < surfaces[0].size(); ++i) {
+    EXPECT_NEAR(surfaces[0][i].position.x(), 10.0, 1e-9);
+    EXPECT_EQ(surfaces[0][i].sdf, surfaces[1][i].sdf);
+  }
+}
+
 TEST(SdfSubmap, SparseSensorsStayRaw) {
-  const auto submap = MakeSubmap(SdfOptions());
+  OdometryOptions options = SdfOptions();
+  options.sdf_submap.record = true;
+  const auto submap = MakeSubmap(options);
   const std::size_t num_raw = WallKeyframe(0.0, 2.0).returns.size();
   for (int k = 0; k < 4; ++k) {
     submap->AddKeyframe(WallKeyframe(0.0, 2.0));
@@ -88,6 +115,7 @@ TEST(SdfSubmap, SparseSensorsStayRaw) {
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_NE(notes[0].find("bypassed"), std::string::npos) << notes[0];
   EXPECT_NE(notes[0].find("1 neighbours"), std::string::npos) << notes[0];
+  EXPECT_FALSE(submap->TakeSurfaceRecord().has_value());
 }
 
 TEST(SdfSubmap, ReturnsOfSurfaceCells) {

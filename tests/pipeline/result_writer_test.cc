@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -152,20 +151,6 @@ TEST(ResultWriter, NamesTheFileThatDoesNotFitAndKeepsTheOthers) {
   EXPECT_THAT(error, HasSubstr("scans.csv: cannot be written: No space left on device"));
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "scans.csv"));
   EXPECT_EQ(ReadFile(scratch.path() / "trajectory_tum.txt"), TumRow(QuarterTurn()));
-}
-
-TEST(ResultWriter, WritesTheMapAsLittleEndianFloats) {
-  const ScratchFolder scratch;
-  std::string error;
-  ResultWriter writer;
-  ASSERT_TRUE(writer.Open(scratch.path(), &error)) << error;
-  ASSERT_TRUE(writer.WriteMap({{1.0, -2.0, 0.5}}, &error)) << error;
-  const std::string bytes = ReadFile(scratch.path() / "map.ply");
-  const std::size_t end = bytes.find("end_header\n") + 11;
-  EXPECT_THAT(bytes, HasSubstr("element vertex 1\n"));
-  ASSERT_EQ(bytes.size() - end, 12u);
-  // 1.0f = 0x3F800000, -2.0f = 0xC0000000, 0.5f = 0x3F000000, low byte first.
-  EXPECT_EQ(bytes.substr(end), std::string("\0\0\x80\x3F\0\0\0\xC0\0\0\0\x3F", 12));
 }
 
 }  // namespace

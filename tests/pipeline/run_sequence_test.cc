@@ -105,6 +105,31 @@ TEST(RunSequence, TheWrittenConfigurationReadsBack) {
   EXPECT_EQ(EffectiveConfig(*read), EffectiveConfig(config));
 }
 
+TEST(RunSequence, SurfaceMapsNeedTheNeuralSubmap) {
+  const ScratchFolder scratch;
+  RunConfig config;
+  config.output.map = OutputOptions::Map::kMesh;
+  FakeScanSource refused({});
+  std::string error;
+  EXPECT_EQ(RunSequence(config, RequestFor(scratch.path() / "raw"), &refused, &error),
+            RunStatus::kFailed);
+  EXPECT_EQ(error,
+            "output.map surface and mesh come from the neural submap: they need submap.type sdf");
+  config.odometry.submap.type = SubmapOptions::Type::kSdf;
+  for (const OutputOptions::Map map : {OutputOptions::Map::kMesh, OutputOptions::Map::kNone}) {
+    config.output.map = map;
+    FakeScanSource source(StaticScans(12, kForward, 1.0));
+    ASSERT_EQ(RunSequence(config, RequestFor(scratch.path() / "sdf"), &source, &error),
+              RunStatus::kDone)
+        << error;
+    for (const char* name : {"map.ply", "neural_points.ply", "mesh.ply", "sdf_slice.ply"}) {
+      EXPECT_EQ(std::filesystem::exists(scratch.path() / "sdf" / name),
+                map == OutputOptions::Map::kMesh)
+          << name;
+    }
+  }
+}
+
 TEST(RunSequence, RepeatsToTheSameBytes) {
   const ScratchFolder scratch;
   std::string error;

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radive/odometry/motion_model.h"
+#include "radive/odometry/odometry_options.h"
+#include "radive/odometry/odometry_result.h"
+#include "radive/odometry/scan_filter.h"
+#include "radive/odometry/submap.h"
+#include "radive/sensor/radar_scan.h"
+
+namespace radive {
+
+// Odometry of one radar: filters a scan, predicts its pose, registers it with the submap and adds
+// keyframes to that.
+class RadarOdometry {
+ public:
+  // `options` must be valid; options.sensor is this radar's.
+  explicit RadarOdometry(const OdometryOptions& options);
+
+  // The world frame is the radar's at the first scan, and the body is the radar: T_world_body is
+  // left for the caller to fill in.
+  OdometryResult AddScan(const RadarScan& scan);
+
+  // See Odometry::TakeSurfaces.
+  std::optional<SurfaceRecord> TakeSurfaceRecord() { return submap_->TakeSurfaceRecord(); }
+
+  std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
+
+ private:
+  // "stamp repeats" or "stamp goes back" when the scan cannot follow the last one.
+  std::string WhyOutOfOrder(const RadarScan& scan) const;
+  void NoteMissingDoppler(const RadarScan& scan);
+  void Locate(const RadarScan& scan,
+              const FilteredScan& filtered,
+              double dt,
+              OdometryResult* result);
+  void Register(const FilteredScan& filtered,
+                const MotionPrediction& prediction,
+                double dt,
+                OdometryResult* result);
+  bool IsKeyframe(const OdometryResult& result) const;
+  void AddKeyframe(FilteredScan filtered, OdometryResult* result);
+
+  const OdometryOptions options_;
+  MotionModel motion_;
+  ScanFilter filter_;
+  std::unique_ptr<Submap> submap_;
+  std::optional<Rigid3> T_world_keyframe_;  // T_world_radar of the last keyframe
+  std::optional<std::int64_t> last_stamp_ns_;
+  int num_scans_ = 0;
+  bool has_noted_doppler_ = false;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace radive

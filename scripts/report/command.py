@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: 2026 The RaDiVe authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line of radive_report."""
+
+import argparse
+import pathlib
+import sys
+
+from report import content, page, tables
+from report.run_files import FileError
+from report.study import read_study, split_name
+from report.trajectories import ALIGNMENTS, PLANES
+
+DESCRIPTION = """\
+Writes the report of a study or of a run: one self-contained HTML page, the same as Markdown, the
+tables as LaTeX, and the figures as SVG and PDF.
+
+  radive_report STUDY                          STUDY is the output folder of radive_batch
+  radive_report RUN --reference GROUND_TRUTH   RUN is a results folder of radive_odometry
+  radive_report A=RUN B=RUN --output REPORT    several, with names; a file reference.tum in a RUN
+                                               is its ground truth
+
+Errors are those of radive_evaluate. Of a single run --align and --plane say which, of a study its
+study.json; the default of both is that of radive_batch: se3, xy.
+
+The output folder, by default report/ in the given one, gets
+  report.html  report.md  tables.tex  figures/
+The same input gives the same bytes.
+"""
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="radive_report",
+        description=DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "folder", nargs="+", help="output of radive_batch or radive_odometry, [NAME=]FOLDER"
+    )
+    parser.add_argument("--reference", type=pathlib.Path, help="true trajectory of a single run, TUM")
+    parser.add_argument("--align", default="se3", choices=sorted(ALIGNMENTS), help="of a single run")
+    parser.add_argument("--plane", default="xy", choices=sorted(PLANES), help="of a single run")
+    parser.add_argument("--output", type=pathlib.Path, help="folder for the report")
+    parser.add_argument("--title", help="instead of the folder's name")
+    return parser.parse_args(arguments)
+
+
+def markdown(found):
+    lines = [f"# {found.title}", "", found.lead, ""]
+    lines += [f"- {name}: {value}" for name, value in found.facts] + [""]
+    lines += [tables.to_markdown(table) for table in found.tables]
+    for section in found.sections:
+        lines += [f"## {section.name}", "", section.lead, ""]
+        lines += [f"![{title}](figures/{name}.svg)" for title, name in section.files] + [""]
+    return "\n".join([*lines, *found.notes]) + "\n"
+
+
+def latex(found):
+    head = "% Needs \\usepackage{booktabs,graphicx}.\n\n"
+    return head + "\n".join(tables.to_latex(table) for table in found.tables)
+
+
+def write(path, text):
+    """Whole or not at all."""
+    partial = path.with_name(f".{path.name}.partial")
+    partial.write_text(text, encoding="utf-8")
+    partial.replace(path)
+
+
+def run(arguments):
+    if len(arguments.folder) > 1 and not arguments.output:
+        raise FileError("the report of several runs needs --output")
+    study = read_study(arguments.folder, arguments.reference, arguments.align, arguments.plane)
+    study.title = arguments.title or study.title
+    output = arguments.output or split_name(arguments.folder[0])[1] / "report"
+    pictures = output / "figures"
+    pictures.mkdir(parents=True, exist_ok=True)
+    for old in [*pictures.glob("*.svg"), *pictures.glob("*.pdf")]:
+        old.unlink()
+    found = content.build(study, pictures)
+    write(output / "report.md", markdown(found))
+    write(output / "tables.tex", latex(found))
+    write(output / "report.html", page.build(found))
+    print(output / "report.html")
+
+
+def main(arguments=None):
+    try:
+        run(parse(arguments))
+    except (FileError, OSError) as error:
+        print(f"radive_report: {error}", file=sys.stderr)
+        return 1
+    return 0
