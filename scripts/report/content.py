@@ -139,9 +139,7 @@ def figures_of(runs, draw):
 
 def sequence_lead(drawn, period):
     run = drawn[0]
-    path = trajectories.distance_travelled(
-        run.reference if run.reference is not None else run.estimate
-    )[-1]
+    path = trajectories.distance_travelled(run.estimate)[-1]
     parts = [f"{len(run.estimate):,} scans", f"{path:,.0f} m"]
     if period:
         parts.append(f"one scan in {period:.0f} ms")

@@ -113,7 +113,7 @@ Points are coloured by height; those the drive has come near up to the slider's 
 
 def sequence_section(section):
     figures = "".join(
-        f'<figure class="card"><h3>{html.escape(title)}</h3>{svg}'
+        f'<figure class="card"><h3>{html.escape(title)}</h3>{labelled(svg, title)}'
         f"<figcaption>{html.escape(caption)}</figcaption></figure>"
         for title, caption, svg in section.figures
     )
@@ -122,6 +122,11 @@ def sequence_section(section):
         f'<section><h2 id="{anchor(section.name)}">{html.escape(section.name)}</h2>{note}'
         f'<div class="grid">{figures}</div></section>'
     )
+
+
+def labelled(svg, title):
+    """With a name for those who cannot see it."""
+    return svg.replace("<svg ", f'<svg role="img" aria-label="{html.escape(title)}" ', 1)
 
 
 def footer(content):
