@@ -1,18 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app_main.h"
 #include "radive/evaluation/evaluate.h"
 #include "radive/evaluation/evaluation_report.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/read_reference.h"
+#include "radive/pipeline/run_scores.h"
 
-DEFINE_string(reference, "", "Trajectory that counts as true. Required.");
-DEFINE_string(estimate, "", "Trajectory to be judged. Required.");
-DEFINE_string(format, "tum", "tum | kitti | euroc (then the estimate is a TUM file).");
+DEFINE_string(reference,
+              "",
+              "Trajectory that counts as true: a file, or a dataset's folder. Required.");
+DEFINE_string(estimate,
+              "",
+              "Trajectory to be judged: a TUM or KITTI file, or a folder with the results of "
+              "radive_odometry, whose poses become those of the reference's body. Required.");
+DEFINE_string(format,
+              "auto",
+              "Form of the reference: auto | tum | kitti | euroc | table | vod | radarscenes | "
+              "coloradar | boreas | dicp | raflow | bag.");
+DEFINE_string(topic, "", "Topic with the poses, of a reference in a bag; empty: the only one.");
+DEFINE_int32(clip, 0, "Which clip, of a reference in RaFlow's files; 0: the longest.");
 DEFINE_string(metric, "ape", "ape | rpe | segments (drift over 100 to 800 m, as KITTI has it).");
 DEFINE_string(relation,
               "trans_part",
@@ -26,6 +40,10 @@ DEFINE_string(delta_unit, "f", "f (frames) | m (metres of path) | deg | rad.");
 DEFINE_bool(all_pairs, false, "Every pose starts an rpe pair, instead of one after the other.");
 DEFINE_bool(pairs_from_reference, false, "Choose rpe pairs on the reference, not the estimate.");
 DEFINE_double(max_time_difference, 0.01, "Largest difference of matched stamps [s].");
+DEFINE_bool(interpolate,
+            false,
+            "Bring the reference to the stamps of the estimate, which evo does not do.");
+DEFINE_double(max_gap, 1.0, "Longest interval of the reference to interpolate in [s].");
 DEFINE_bool(json, false, "Print one JSON object instead of a table.");
 
 namespace {
@@ -37,6 +55,7 @@ constexpr char kUsage[] =
 
 bool ReadFlags(radive::EvaluationOptions* options, std::string* error) {
   options->max_time_difference = FLAGS_max_time_difference;
+  options->max_gap = FLAGS_max_gap;
   options->align_first = FLAGS_align_first;
   options->pairs.delta = FLAGS_delta;
   options->pairs.all_pairs = FLAGS_all_pairs;
@@ -45,25 +64,39 @@ bool ReadFlags(radive::EvaluationOptions* options, std::string* error) {
     *error = "--reference and --estimate are required; see --help";
     return false;
   }
-  return options->SetWord("format", FLAGS_format, error) &&
-         options->SetWord("metric", FLAGS_metric, error) &&
+  if (FLAGS_interpolate) options->match = radive::PoseMatch::kInterpolate;
+  return options->SetWord("metric", FLAGS_metric, error) &&
          options->SetWord("relation", FLAGS_relation, error) &&
          options->SetWord("align", FLAGS_align, error) &&
          options->SetWord("plane", FLAGS_plane, error) &&
          options->SetWord("delta_unit", FLAGS_delta_unit, error);
 }
 
+std::optional<radive::Reference> ReadItsReference(std::string* error) {
+  radive::ReferenceOptions options;
+  const std::vector<std::string>& names = radive::ReferenceFormatNames();
+  const auto name = std::find(names.begin(), names.end(), FLAGS_format);
+  if (name == names.end()) {
+    *error = "--format must be one of";
+    for (const std::string& one : names) *error += (one == names[0] ? " " : " | ") + one;
+    *error += ", is '" + FLAGS_format + "'";
+    return std::nullopt;
+  }
+  options.format = static_cast<radive::ReferenceOptions::Format>(name - names.begin());
+  options.topic = FLAGS_topic;
+  return radive::ReadReference(FLAGS_reference, options, FLAGS_clip, error);
+}
+
 bool Run(std::string* error) {
   radive::EvaluationOptions options;
   if (!ReadFlags(&options, error)) return false;
-  const auto estimate_format = options.format == radive::TrajectoryFormat::kEuroc
-                                   ? radive::TrajectoryFormat::kTum
-                                   : options.format;
-  const auto reference = radive::ReadTrajectory(FLAGS_reference, options.format, error);
+  auto reference = ReadItsReference(error);
   if (!reference) return false;
-  const auto estimate = radive::ReadTrajectory(FLAGS_estimate, estimate_format, error);
+  const auto estimate = radive::ReadRunEstimate(FLAGS_estimate, error);
   if (!estimate) return false;
-  const auto result = radive::Evaluate(*reference, *estimate, options, error);
+  radive::RecordedTrajectory poses;
+  if (!radive::PrepareComparison(*estimate, &*reference, &poses, &options, error)) return false;
+  const auto result = radive::Evaluate(reference->poses, poses, options, error);
   if (!result) return false;
   const std::string report = FLAGS_json ? radive::EvaluationJson(*result, options)
                                         : radive::EvaluationTable(*result, options);

@@ -22,6 +22,10 @@ DEFINE_string(config,
 DEFINE_string(output,
               "",
               "Folder for the results: new, empty, or with earlier results to replace. Required.");
+DEFINE_string(reference,
+              "",
+              "Ground truth, a file or a folder: the scores are printed and go to scores.json; how "
+              "it is read and matched is set in reference.*.");
 DEFINE_string(set,
               "",
               "Settings that win over --config: stage.field=value, separated by commas; commas "
@@ -99,13 +103,18 @@ int main(int argc, char** argv) {
   radive::RunRequest request;
   request.input = FLAGS_input;
   request.output = FLAGS_output;
+  request.reference = FLAGS_reference;
   request.start = FLAGS_start;
   if (FLAGS_frames >= 0) request.num_frames = FLAGS_frames;
   request.quiet = FLAGS_quiet;
   request.command_line = command_line;
   request.version = RADIVE_VERSION;
   request.stop = &stop;
-  switch (radive::RunSequence(*config, request, source.get(), &error)) {
+  std::string scores;
+  const radive::RunStatus status =
+      radive::RunSequence(*config, request, source.get(), &error, &scores);
+  std::fputs(scores.c_str(), stdout);
+  switch (status) {
     case radive::RunStatus::kDone:
       return EXIT_SUCCESS;
     case radive::RunStatus::kInterrupted:

@@ -27,8 +27,9 @@ DEFINE_string(set,
 DEFINE_string(format,
               "raw",
               "Form of the scans: raw (float32 x y z doppler power) | pcd_ascii | pcd_binary | "
-              "pcd_compressed | ply_ascii | ply_binary | ply_big_endian | csv | hercules | snail | "
-              "vod | rosbag1 | rosbag1_bz2 | rosbag1_lz4 | rosbag1_unindexed | rosbag2 | "
+              "pcd_compressed | ply_ascii | ply_binary | ply_big_endian | csv | npy | hercules | "
+              "aeva | snail | vod | tj4d | coloradar | rosbag1 | rosbag1_bz2 | rosbag1_lz4 | "
+              "rosbag1_unindexed | rosbag2 | "
               "rosbag2_zstd | mcap | mcap_lz4 | mcap_zstd | mcap_unindexed.");
 DEFINE_string(output, "", "Folder for the scans and their truth; new or empty. Required.");
 

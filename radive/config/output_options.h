@@ -13,6 +13,16 @@ namespace radive {
 // What the results folder gets besides the trajectory and the tables.
 struct OutputOptions {
   enum class Map { kNone, kPoints, kSurface, kMesh };
+  enum class Frame {
+    kBody,      // of the odometry, motion.body
+    kRadar,     // the radar of the first scan
+    kVehicle,   // origin at the rear axle, see SensorOptions
+    kReference  // the body whose poses the ground truth has, see ReferenceOptions
+  };
+
+  // Whose pose the trajectory files, scans.csv and map.ply are of. The world frame is that body's
+  // at the first scan. The odometry itself does not depend on it.
+  Frame frame = Frame::kBody;
 
   // map.ply: nothing, or the points of all keyframes in the world frame; of the neural submap the
   // points on the surface, and the surface as a mesh.
@@ -28,6 +38,11 @@ struct OutputOptions {
 
   std::vector<OptionField> Fields() {
     return {
+        {"frame",
+         MakeChoice(&frame, {"body", "radar", "vehicle", "reference"}),
+         "-",
+         "Whose pose is written: that of motion.body, of the radar (of the first scan), of the "
+         "vehicle (sensor.mount_*), or of the ground truth's body (reference.mount)."},
         {"map",
          MakeChoice(&map, {"none", "points", "surface", "mesh"}),
          "-",

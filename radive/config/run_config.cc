@@ -10,11 +10,15 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> RunConfig::Stages(
   stages.emplace_back("input", input.Fields());
   for (auto& stage : odometry.Stages()) stages.push_back(std::move(stage));
   stages.emplace_back("output", output.Fields());
+  stages.emplace_back("reference", reference.Fields());
   return stages;
 }
 
 bool RunConfig::IsValid(std::string* error) const {
-  if (!input.IsValid(error) || !odometry.IsValid(error) || !output.IsValid(error)) return false;
+  if (!input.IsValid(error) || !odometry.IsValid(error) || !output.IsValid(error) ||
+      !reference.IsValid(error)) {
+    return false;
+  }
   if (output.NeedsSurface() && odometry.submap.type != SubmapOptions::Type::kSdf) {
     *error = "output.map surface and mesh come from the neural submap: they need submap.type sdf";
     return false;

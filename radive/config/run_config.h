@@ -9,6 +9,7 @@
 
 #include "radive/config/output_options.h"
 #include "radive/io/input_options.h"
+#include "radive/io/reference_options.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/util/option_field.h"
 
@@ -19,6 +20,7 @@ struct RunConfig {
   InputOptions input;
   OdometryOptions odometry;
   OutputOptions output;
+  ReferenceOptions reference;
 
   // All settings as configuration files name them: ("registration", its fields). The fields point
   // into this object.

@@ -36,8 +36,8 @@ std::vector<OptionField>* FindStage(const std::string& name,
   return nullptr;
 }
 
-// Looks for the name in this stage first, then for typing errors, then whether it stands under the
-// wrong stage.
+// Looks for the name in this stage first, then whether it stands under the wrong stage, then for
+// typing errors.
 OptionField* FindField(const std::string& stage,
                        const std::string& name,
                        SettingStages* stages,
@@ -50,11 +50,6 @@ OptionField* FindField(const std::string& stage,
     names.push_back(field.name);
   }
   *error = "unknown key " + stage + "." + name;
-  const std::string suggestion = Suggestion(name, names);
-  if (!suggestion.empty()) {
-    *error += ", did you mean " + stage + "." + *NearestWord(name, names) + "?";
-    return nullptr;
-  }
   for (const auto& [other, other_fields] : *stages) {
     for (const OptionField& field : other_fields) {
       if (field.name == name) {
@@ -62,6 +57,11 @@ OptionField* FindField(const std::string& stage,
         return nullptr;
       }
     }
+  }
+  const std::string suggestion = Suggestion(name, names);
+  if (!suggestion.empty()) {
+    *error += ", did you mean " + stage + "." + *NearestWord(name, names) + "?";
+    return nullptr;
   }
   *error += "; --help_config lists all keys";
   return nullptr;

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "radive/ego_velocity/velocity_branches.h"
 #include "radive/factors/condensed_doppler_factor.h"
 #include "radive/factors/doppler_factor.h"
 #include "radive/preprocessing/occlusion_counts.h"
@@ -59,7 +60,8 @@ EgoVelocityEstimator::EgoVelocityEstimator(const EgoVelocityOptions& options,
     : options_(options),
       sensor_(sensor),
       occlusion_(occlusion),
-      up_radar_(sensor.T_vehicle_radar().rotation.conjugate() * Eigen::Vector3d::UnitZ()) {
+      up_radar_(sensor.T_vehicle_radar().rotation.conjugate() * Eigen::Vector3d::UnitZ()),
+      forward_radar_(sensor.T_vehicle_radar().rotation.conjugate() * Eigen::Vector3d::UnitX()) {
   std::string error;
   CHECK(options_.IsValid(&error)) << error;
   CHECK(sensor_.IsValid(&error)) << error;
@@ -75,7 +77,7 @@ EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& retur
   // A planar sensor sees the velocity in its own plane, however it is mounted.
   const Eigen::Vector3d up_radar = is_planar ? Eigen::Vector3d::UnitZ() : up_radar_;
   const double ridge = is_planar ? 1.0 : std::max(options_.vertical_ridge, kMinRidge);
-  const DopplerEquations equations = MakeDopplerEquations(returns, up_radar);
+  const DopplerEquations equations = MakeDopplerEquations(returns, up_radar, sensor_.doppler_span);
   const std::optional<VelocityGate> gate = TemporalGate(equations, stamp_ns);
 
   EgoVelocity result = Fit(equations, up_radar, gate, ridge);
@@ -124,11 +126,8 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
   // Mixed so that neighbouring seeds and scans share no draws.
   Random random(Random(static_cast<std::uint64_t>(options_.seed)).Bits() ^ num_scans_);
   const std::optional<VelocityHypothesis> hypothesis =
-      DrawVelocity(equations, options_.fit_gate, options_.num_draws, temporal_gate, &random);
-  if (!hypothesis) {
-    fit.reason = "all returns lie in one direction";
-    return fit;
-  }
+      Draw(equations, temporal_gate, &random, &fit.reason);
+  if (!hypothesis) return fit;
   fit = Refine(equations,
                up_radar,
                equations.basis * hypothesis->velocity,
@@ -141,6 +140,35 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
   }
   if (fit.reason.empty()) fit.reason = WhyUnusable(fit, equations, temporal_gate);
   return fit;
+}
+
+// Nothing, with the reason, when no draw gives a velocity or several do.
+std::optional<VelocityHypothesis> EgoVelocityEstimator::Draw(
+    const DopplerEquations& equations,
+    const std::optional<VelocityGate>& temporal_gate,
+    Random* random,
+    std::string* reason) const {
+  *reason = "all returns lie in one direction";
+  if (!(equations.span > 0.0)) {
+    const auto hypothesis =
+        DrawVelocity(equations, options_.fit_gate, options_.num_draws, temporal_gate, random);
+    if (hypothesis) reason->clear();
+    return hypothesis;
+  }
+  Eigen::Vector2d forward = equations.basis.transpose() * forward_radar_;
+  // A radar that looks straight up or down has no direction of travel in its plane.
+  forward = forward.norm() > 0.1 ? forward.normalized() : Eigen::Vector2d::UnitX();
+  const auto branch = DrawVelocityBranch(equations,
+                                         options_.fit_gate,
+                                         options_.num_draws,
+                                         temporal_gate,
+                                         forward,
+                                         options_.max_speed,
+                                         random);
+  if (!branch) return std::nullopt;
+  *reason =
+      branch->is_ambiguous ? "the Doppler leaves open which multiple of its span is true" : "";
+  return branch->is_ambiguous ? std::nullopt : std::make_optional(branch->hypothesis);
 }
 
 Eigen::ArrayXd EgoVelocityEstimator::OcclusionWeights(const DopplerEquations& equations,
@@ -205,7 +233,7 @@ Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerEquations& equat
   double sum_of_weights = 0.0;
   for (const Eigen::Index i : inliers) {
     sum.Add(equations.Direction(i),
-            equations.v_doppler[i],
+            equations.Unwrapped(i, v_start),
             sensor_.sigma_doppler / std::sqrt(weights[i]));
     sum_of_weights += weights[i];
   }

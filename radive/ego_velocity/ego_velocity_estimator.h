@@ -22,7 +22,9 @@ namespace radive {
 // Velocity of the radar, scan by scan: RANSAC over two-point hypotheses, gated by the last good
 // velocity, then least squares over the returns within the fit gate (paper, preprocessing section;
 // DopplerFactor), gated anew for each round. With occlusion weights the fit is done once more, in
-// which returns behind others count less.
+// which returns behind others count less. Where the Doppler wraps (SensorOptions::doppler_span),
+// the multiple of the span is that nearest to the velocity at hand, which DrawVelocityBranch()
+// finds.
 //
 // Deterministic: the draws depend on the seed and on the number of scans so far.
 class EgoVelocityEstimator {
@@ -53,6 +55,10 @@ class EgoVelocityEstimator {
                   const Eigen::Vector3d& up_radar,
                   const std::optional<VelocityGate>& temporal_gate,
                   double vertical_ridge);
+  std::optional<VelocityHypothesis> Draw(const DopplerEquations& equations,
+                                         const std::optional<VelocityGate>& temporal_gate,
+                                         Random* random,
+                                         std::string* reason) const;
   EgoVelocity Refine(const DopplerEquations& equations,
                      const Eigen::Vector3d& up_radar,
                      const Eigen::Vector3d& v_start,
@@ -82,7 +88,8 @@ class EgoVelocityEstimator {
   const EgoVelocityOptions options_;
   const SensorOptions sensor_;
   const OcclusionOptions occlusion_;
-  const Eigen::Vector3d up_radar_;  // of the vehicle, unit
+  const Eigen::Vector3d up_radar_;       // of the vehicle, unit
+  const Eigen::Vector3d forward_radar_;  // of the vehicle, unit
   SolverOptions solver_options_;
   std::uint64_t num_scans_ = 0;
   std::optional<LastGood> last_good_;

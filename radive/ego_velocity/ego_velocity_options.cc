@@ -36,6 +36,14 @@ std::vector<OptionField> EgoVelocityOptions::Fields() {
                   "m/s^2",
                   "Widens the temporal gate with the time since the last good fit."}
           .AtLeast(0.0),
+      OptionField{
+          "max_speed",
+          &max_speed,
+          "m/s",
+          "Largest speed that is tried where the Doppler wraps (sensor.doppler_span) and no "
+          "earlier velocity tells how often."}
+          .Above(0.0)
+          .AtMost(200.0),
       OptionField{"num_draws", &num_draws, "-", "Hypotheses of RANSAC for each scan."}
           .AtLeast(1)
           .AtMost(100000),

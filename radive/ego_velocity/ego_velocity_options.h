@@ -31,6 +31,10 @@ struct EgoVelocityOptions {
   double temporal_gate = 1.5;     // [m/s]; 0: no gate
   double max_acceleration = 8.0;  // [m/s^2]
 
+  // Where the Doppler wraps (sensor.doppler_span) and no earlier velocity tells how often: the
+  // largest speed that is tried [m/s].
+  double max_speed = 40.0;
+
   int num_draws = 60;  // hypotheses of RANSAC
   int seed = 1;        // of the draws
 

@@ -9,14 +9,16 @@
 #include <cmath>
 #include <limits>
 
+#include "radive/sensor/doppler_wrap.h"
+
 namespace radive {
 
-double VelocityDiscrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_radar) {
+double VelocityDiscrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_radar, double span) {
   const double range = entry.position.norm();
   if (!(range > 0.0) || !std::isfinite(range) || !std::isfinite(entry.doppler)) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::abs(-entry.position.dot(v_radar) / range - entry.doppler);
+  return std::abs(WrapDoppler(-entry.position.dot(v_radar) / range - entry.doppler, span));
 }
 
 double DiscrepancyNoiseScale(const RadarReturn& entry,
@@ -29,12 +31,13 @@ double DiscrepancyNoiseScale(const RadarReturn& entry,
 
 std::vector<double> DiscrepancyWeights(const std::vector<RadarReturn>& returns,
                                        const Eigen::Vector3d& v_radar,
-                                       double scale) {
+                                       double scale,
+                                       double span) {
   CHECK_GT(scale, 0.0);
   std::vector<double> weights;
   weights.reserve(returns.size());
   for (const RadarReturn& entry : returns) {
-    weights.push_back(std::exp(-VelocityDiscrepancy(entry, v_radar) / scale));
+    weights.push_back(std::exp(-VelocityDiscrepancy(entry, v_radar, span) / scale));
   }
   return weights;
 }
@@ -42,11 +45,12 @@ std::vector<double> DiscrepancyWeights(const std::vector<RadarReturn>& returns,
 std::vector<bool> KeepMask(const std::vector<RadarReturn>& returns,
                            const Eigen::Vector3d& v_radar,
                            double keep_gate,
-                           double noise_ratio) {
+                           double noise_ratio,
+                           double span) {
   std::vector<bool> mask;
   mask.reserve(returns.size());
   for (const RadarReturn& entry : returns) {
-    mask.push_back(VelocityDiscrepancy(entry, v_radar) <=
+    mask.push_back(VelocityDiscrepancy(entry, v_radar, span) <=
                    keep_gate * DiscrepancyNoiseScale(entry, v_radar, noise_ratio));
   }
   return mask;

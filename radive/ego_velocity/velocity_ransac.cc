@@ -16,6 +16,12 @@ namespace {
 constexpr double kMinDeterminant = 0.02;
 
 int CountInliers(const DopplerEquations& equations, const Eigen::Vector2d& velocity, double gate) {
+  if (equations.span > 0.0) {
+    const Eigen::ArrayXd turns =
+        (equations.v_doppler + equations.first * velocity.x() + equations.second * velocity.y()) /
+        equations.span;
+    return static_cast<int>(((turns - turns.round()).abs() <= gate / equations.span).count());
+  }
   return static_cast<int>(
       ((equations.v_doppler + equations.first * velocity.x() + equations.second * velocity.y())
            .abs() <= gate)
@@ -25,8 +31,10 @@ int CountInliers(const DopplerEquations& equations, const Eigen::Vector2d& veloc
 }  // namespace
 
 DopplerEquations MakeDopplerEquations(const std::vector<RadarReturn>& returns,
-                                      const Eigen::Vector3d& up_radar) {
+                                      const Eigen::Vector3d& up_radar,
+                                      double span) {
   DopplerEquations equations;
+  equations.span = span;
   equations.basis = PlaneBasis(up_radar);
   const auto capacity = static_cast<Eigen::Index>(returns.size());
   for (Eigen::ArrayXd* column :

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "radive/sensor/doppler_wrap.h"
 #include "radive/sensor/radar_scan.h"
 #include "radive/util/random.h"
 
@@ -21,6 +22,7 @@ struct DopplerEquations {
   Eigen::ArrayXd v_doppler;      // [m/s]
   Eigen::ArrayXd range;          // [m]
   Eigen::Matrix<double, 3, 2> basis = Eigen::Matrix<double, 3, 2>::Zero();
+  double span = 0.0;  // v_doppler is known but for multiples of this [m/s]; 0: known
 
   int size() const { return static_cast<int>(v_doppler.size()); }
   Eigen::Vector3d Direction(Eigen::Index i) const { return {x[i], y[i], z[i]}; }
@@ -34,15 +36,25 @@ struct DopplerEquations {
     return (1.0 + across_squared * ratio * ratio).sqrt();
   }
 
-  // v_doppler + d . v of all returns [m/s].
+  // v_doppler + d . v of all returns [m/s], of the multiple of the span nearest to v.
   Eigen::ArrayXd Residuals(const Eigen::Vector3d& v_radar) const {
-    return v_doppler + x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
+    Eigen::ArrayXd residuals = v_doppler + x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
+    if (span > 0.0) residuals -= span * (residuals / span).round();
+    return residuals;
+  }
+
+  // v_doppler of a return, of the multiple of the span nearest to v [m/s].
+  double Unwrapped(Eigen::Index i, const Eigen::Vector3d& v_radar) const {
+    if (!(span > 0.0)) return v_doppler[i];
+    const double expected = -Direction(i).dot(v_radar);
+    return expected + WrapDoppler(v_doppler[i] - expected, span);
   }
 };
 
 // `up_radar`: unit vector along the vertical of the vehicle, in the radar frame.
 DopplerEquations MakeDopplerEquations(const std::vector<RadarReturn>& returns,
-                                      const Eigen::Vector3d& up_radar);
+                                      const Eigen::Vector3d& up_radar,
+                                      double span = 0.0);
 
 // A limit on the horizontal part of a velocity, as coordinates in the basis of the equations.
 struct VelocityGate {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "radive/evaluation/nearest_value.h"
@@ -35,6 +36,20 @@ struct SortedStamps {
   std::vector<std::size_t> order;
   std::vector<double> stamps;
 };
+
+// From an earlier stamp to a later one [s]. Without a sign: hostile stamps lie far apart.
+double SecondsBetween(std::int64_t earlier_ns, std::int64_t later_ns) {
+  return 1e-9 * static_cast<double>(static_cast<std::uint64_t>(later_ns) -
+                                    static_cast<std::uint64_t>(earlier_ns));
+}
+
+// Between two poses, `share` of the way.
+MatrixPose InterpolatePose(const RecordedPose& first, const RecordedPose& second, double share) {
+  const Eigen::Quaterniond q0(first.T_world_body.rotation), q1(second.T_world_body.rotation);
+  const Eigen::Vector3d& p0 = first.T_world_body.translation;
+  const Eigen::Vector3d& p1 = second.T_world_body.translation;
+  return {q0.normalized().slerp(share, q1.normalized()).toRotationMatrix(), p0 + share * (p1 - p0)};
+}
 
 }  // namespace
 
@@ -80,6 +95,38 @@ std::optional<MatchedPoses> AssociateByIndex(const RecordedTrajectory& reference
     matched.estimate.push_back(estimate[i].T_world_body);
   }
   return matched;
+}
+
+std::optional<MatchedPoses> AssociateInterpolated(const RecordedTrajectory& reference,
+                                                  const RecordedTrajectory& estimate,
+                                                  double max_gap,
+                                                  std::string* error) {
+  RecordedTrajectory sorted = reference;
+  const auto is_earlier = [](const RecordedPose& a, const RecordedPose& b) {
+    return a.stamp_ns < b.stamp_ns;
+  };
+  std::stable_sort(sorted.begin(), sorted.end(), is_earlier);
+  MatchedPoses matched;
+  for (const RecordedPose& pose : estimate) {
+    const auto after = std::lower_bound(sorted.begin(), sorted.end(), pose, is_earlier);
+    if (after == sorted.end()) continue;
+    if (after->stamp_ns == pose.stamp_ns) {
+      matched.reference.push_back(after->T_world_body);
+    } else {
+      if (after == sorted.begin()) continue;
+      const auto before = std::prev(after);
+      const double gap = SecondsBetween(before->stamp_ns, after->stamp_ns);
+      const double time = SecondsBetween(before->stamp_ns, pose.stamp_ns);
+      if (gap > max_gap) continue;
+      matched.reference.push_back(InterpolatePose(*before, *after, time / gap));
+    }
+    matched.estimate.push_back(pose.T_world_body);
+  }
+  if (!matched.reference.empty()) return matched;
+  *error = "no pose of the estimate lies between two of the reference within " +
+           std::to_string(max_gap) + " s: the reference " + TimeSpan(reference) +
+           ", the estimate " + TimeSpan(estimate);
+  return std::nullopt;
 }
 
 }  // namespace radive

@@ -33,4 +33,13 @@ std::optional<MatchedPoses> AssociateByIndex(const RecordedTrajectory& reference
                                              const RecordedTrajectory& estimate,
                                              std::string* error);
 
+// Brings the reference to the stamps of the estimate: between the two poses around a stamp the
+// position goes in a straight line and the rotation at a steady rate. Poses of the estimate before
+// the first and behind the last pose of the reference, and those between two poses further apart
+// than `max_gap` [s], are left out. An error when none is left.
+std::optional<MatchedPoses> AssociateInterpolated(const RecordedTrajectory& reference,
+                                                  const RecordedTrajectory& estimate,
+                                                  double max_gap,
+                                                  std::string* error);
+
 }  // namespace radive

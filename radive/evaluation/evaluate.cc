@@ -13,6 +13,21 @@ namespace {
 // Every tenth pose starts a segment, as in the KITTI benchmark.
 constexpr int kSegmentStep = 10;
 
+std::optional<MatchedPoses> Associate(const RecordedTrajectory& reference,
+                                      const RecordedTrajectory& estimate,
+                                      const EvaluationOptions& options,
+                                      std::string* error) {
+  switch (options.match) {
+    case PoseMatch::kLine:
+      return AssociateByIndex(reference, estimate, error);
+    case PoseMatch::kInterpolate:
+      return AssociateInterpolated(reference, estimate, options.max_gap, error);
+    case PoseMatch::kStamp:
+      break;
+  }
+  return AssociateByStamp(reference, estimate, options.max_time_difference, error);
+}
+
 std::optional<std::vector<double>> MeasureRelative(const MatchedPoses& poses,
                                                    const EvaluationOptions& options,
                                                    std::string* error) {
@@ -51,10 +66,7 @@ std::optional<EvaluationResult> Evaluate(const RecordedTrajectory& reference,
                                          const EvaluationOptions& options,
                                          std::string* error) {
   if (!options.IsValid(error)) return std::nullopt;
-  std::optional<MatchedPoses> poses =
-      options.format == TrajectoryFormat::kKitti
-          ? AssociateByIndex(reference, estimate, error)
-          : AssociateByStamp(reference, estimate, options.max_time_difference, error);
+  std::optional<MatchedPoses> poses = Associate(reference, estimate, options, error);
   if (!poses) return std::nullopt;
 
   const std::optional<Alignment> alignment = ComputeAlignment(

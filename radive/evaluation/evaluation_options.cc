@@ -33,13 +33,16 @@ std::vector<OptionField> EvaluationOptions::Fields() {
                    "point_distance_ratio"}),
        "-",
        "What of a pose difference counts as the error."},
-      {"format",
-       MakeChoice(&format, {"tum", "kitti", "euroc"}),
+      {"match",
+       MakeChoice(&match, {"stamp", "line", "interpolate"}),
        "-",
-       "Format of both files; for euroc that of the reference, the estimate is tum."},
+       "Which poses belong together: those with the nearest stamps, those of the same number, or "
+       "the reference interpolated at the stamps of the estimate."},
       OptionField{
           "max_time_difference", &max_time_difference, "s", "Largest difference of matched stamps."}
           .AtLeast(0.0),
+      OptionField{"max_gap", &max_gap, "s", "Longest interval of the reference to interpolate in."}
+          .Above(0.0),
       {"align",
        MakeChoice(&align, {"none", "se3", "sim3", "scale_only", "origin"}),
        "-",

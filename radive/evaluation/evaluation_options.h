@@ -10,12 +10,17 @@
 #include "radive/evaluation/pose_pairs.h"
 #include "radive/evaluation/pose_relation.h"
 #include "radive/evaluation/projection.h"
-#include "radive/io/trajectory_io.h"
 #include "radive/util/option_field.h"
 
 namespace radive {
 
 enum class EvaluationMetric { kApe, kRpe, kSegments };
+
+enum class PoseMatch {
+  kStamp,       // those with the nearest stamps
+  kLine,        // those of the same number, where there are no stamps
+  kInterpolate  // the reference is brought to the stamps of the estimate
+};
 
 // What to compare of two trajectories, and how. The defaults are those of evo.
 struct EvaluationOptions {
@@ -24,9 +29,10 @@ struct EvaluationOptions {
   // The error within ape and rpe; segments have their own.
   PoseRelation relation = PoseRelation::kTransPart;
 
-  // Format of the files. Poses are matched by stamp, in kKitti by line.
-  TrajectoryFormat format = TrajectoryFormat::kTum;
+  // Which poses belong together. evo knows the first two.
+  PoseMatch match = PoseMatch::kStamp;
   double max_time_difference = 0.01;  // between matched stamps [s]
+  double max_gap = 1.0;               // longest interval of the reference to interpolate in [s]
 
   // Alignment of the estimate; a fit uses the first `align_first` matched poses, 0: all.
   AlignmentMode align = AlignmentMode::kNone;
@@ -42,7 +48,7 @@ struct EvaluationOptions {
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const;
 
-  // Sets the field `name`, whose value is a word ("metric", "relation", "format", "align",
+  // Sets the field `name`, whose value is a word ("metric", "relation", "match", "align",
   // "plane", "delta_unit"). False, with the words allowed in `error`, for another word.
   // A name that is none of these is a programmer's error.
   bool SetWord(const std::string& name, const std::string& word, std::string* error);

@@ -21,10 +21,11 @@ namespace radive {
 //
 //   r(v) = U (v, 1)
 //
-// Symbols, units and frames are those of DopplerFactor. A few thousand blocks of one residual cost
-// milliseconds of bookkeeping in Ceres; this one costs the sum.
-// Parameter blocks: v (3). Residuals: 4, unit-free.
-// Source: DopplerFactor; the tests prove both equal.
+// Symbols, units and frames are those of DopplerFactor. A Doppler that wraps is not linear in v,
+// but piece by piece: Sum takes the values nearest to a velocity, and holds within half a span
+// around it. A few thousand blocks of one residual cost milliseconds of bookkeeping in Ceres; this
+// one costs the sum. Parameter blocks: v (3). Residuals: 4, unit-free. Source: DopplerFactor; the
+// tests prove both equal.
 class CondensedDopplerFactor {
  public:
   // M. Rounding costs the digits by which the Doppler exceeds the residuals, squared: 1e-11 of the

@@ -210,7 +210,9 @@ class Detection {
       if (*form.sibling != '\0' && !fs::exists(path_ / form.sibling, ignored)) continue;
       const fs::path here = IsItself(form) ? path_ : path_ / form.folder;
       if (Files(here, form.extension).empty()) continue;
+      // With input.radar all the first says what dataset it is.
       if (found != nullptr && found->dataset != std::string_view(form.dataset)) {
+        if (options_->radar == "all") continue;
         *is_ambiguous = true;
         return Refuse("holds " + std::string(found->dataset) + " (" + found->folder + ") and " +
                       form.dataset + " (" + form.folder +

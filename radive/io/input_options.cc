@@ -59,7 +59,7 @@ std::vector<OptionField> InputOptions::Fields() {
           &folder,
           "-",
           "Folder with the scan files, relative to the input or to a folder below it; empty: "
-          "the usual places are searched."},
+          "the usual places are searched. With input.radar all a list: [one, other]."},
       OptionField{"rate",
                   &rate,
                   "Hz",
@@ -92,7 +92,14 @@ std::vector<OptionField> InputOptions::Fields() {
       OptionField{"topic",
                   &topic,
                   "-",
-                  "Topic of a bag with the point clouds; empty: the only one that has any."},
+                  "Topic of a bag with the point clouds; empty: the only one that has any. With "
+                  "input.radar all a list: [/one, /other]."},
+      OptionField{
+          "trigger_topic",
+          &trigger_topic,
+          "-",
+          "Topic of a bag (std_msgs/Header) that says when each scan began; empty: the only "
+          "one, where the point clouds have no stamps; none: not used."},
       OptionField{"drop_share",
                   &drop_share,
                   "-",

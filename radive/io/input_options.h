@@ -35,14 +35,15 @@ struct InputOptions {
   // or 25 bytes, each file by its size. Empty: found out where the dataset is known.
   std::string layout;
 
-  // Folder with the scan files, relative to the input; empty: found in the usual places.
+  // Folder with the scan files, relative to the input; empty: found in the usual places. With radar
+  // "all" a list of them.
   std::string folder;
 
   // Scans a second [Hz] where the data have no stamps: scan k gets the stamp k / rate.
   double rate = 10.0;
 
-  // Which radar of the vehicle, for data with several: a number from 1, or "all". Those of
-  // RadarScenes that look ahead are 2 and 3.
+  // Which radar of the vehicle, for data with several: a number from 1, or "all", see all_radars.h.
+  // Those of RadarScenes that look ahead are 2 and 3.
   std::string radar = "2";
 
   // Of data in clips of consecutive scans: its number from 1; 0: the longest.
@@ -62,8 +63,12 @@ struct InputOptions {
   // ParseFieldChoices() in field_matching.h.
   std::string fields;
 
-  // Topic of a bag; empty: the only one with point clouds.
+  // Topic of a bag; empty: the only one with point clouds. With radar "all" a list of them.
   std::string topic;
+
+  // Topic of a bag whose messages (std_msgs/Header) say when each scan began; empty: the only one
+  // of that type, where the headers of the point clouds have no stamps; "none": no such topic.
+  std::string trigger_topic;
 
   // Share of the returns that is left out at random [-], and the seed of the choice: what depends
   // on single returns differs from seed to seed. See thinned_source.h.

@@ -9,16 +9,19 @@
 
 namespace radive {
 
-MergedSource::MergedSource(std::vector<std::unique_ptr<ScanSource>> sources) {
-  CHECK(!sources.empty());
-  for (std::unique_ptr<ScanSource>& source : sources) {
-    inputs_.emplace_back().source = std::move(source);
+MergedSource::MergedSource(std::vector<Radar> radars) {
+  CHECK(!radars.empty());
+  for (Radar& radar : radars) {
+    Input& input = inputs_.emplace_back();
+    input.source = std::move(radar.source);
+    input.number = radar.number;
   }
 }
 
 bool MergedSource::Read(Input* input) {
   if (input->is_read) return true;
   input->status = PassOn(input->source->Next(&input->next), input->source.get());
+  input->next.radar = input->number;
   input->is_read = true;
   return input->status != Status::kError;
 }

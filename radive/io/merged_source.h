@@ -17,8 +17,14 @@ namespace radive {
 // is held.
 class MergedSource : public ScanSource {
  public:
-  // At least one source.
-  explicit MergedSource(std::vector<std::unique_ptr<ScanSource>> sources);
+  // A source, and the number that its scans get.
+  struct Radar {
+    std::unique_ptr<ScanSource> source;
+    int number = 0;
+  };
+
+  // At least one radar.
+  explicit MergedSource(std::vector<Radar> radars);
 
   Status Next(RadarScan* scan) override;
   std::string Description() const override;
@@ -28,6 +34,7 @@ class MergedSource : public ScanSource {
  private:
   struct Input {
     std::unique_ptr<ScanSource> source;
+    int number = 0;
     RadarScan next;  // with status kScan
     Status status = Status::kScan;
     bool is_read = false;  // `next` and `status` stand for what comes next

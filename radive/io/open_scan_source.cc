@@ -5,11 +5,15 @@
 
 #include <glog/logging.h>
 
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "radive/io/all_radars.h"
 #include "radive/io/axes.h"
 #include "radive/io/bag/bag_source.h"
 #include "radive/io/detect_format.h"
+#include "radive/io/merged_source.h"
 #include "radive/io/point_file_source.h"
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/raflow_source.h"
@@ -56,6 +60,28 @@ std::unique_ptr<ScanSource> OpenStored(const std::string& path,
   return nullptr;
 }
 
+std::unique_ptr<ScanSource> OpenOne(const std::string& path,
+                                    const InputOptions& options,
+                                    std::string* error) {
+  std::unique_ptr<ScanSource> source = OpenStored(path, options, error);
+  if (source == nullptr) return nullptr;
+  return std::make_unique<AxesSource>(std::move(source), options.axes);
+}
+
+// Each radar with axes of its own.
+std::unique_ptr<ScanSource> OpenAll(const std::string& path,
+                                    const InputOptions& options,
+                                    std::string* error) {
+  const std::optional<std::vector<RadarInput>> inputs = ListRadars(path, options, error);
+  if (!inputs) return nullptr;
+  std::vector<MergedSource::Radar> radars;
+  for (const RadarInput& input : *inputs) {
+    radars.push_back({OpenOne(path, input.options, error), input.number});
+    if (radars.back().source == nullptr) return nullptr;
+  }
+  return std::make_unique<MergedSource>(std::move(radars));
+}
+
 }  // namespace
 
 std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
@@ -66,10 +92,9 @@ std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
   InputOptions found = options;
   std::string reason;
   if (!DetectFormat(path, &found, &reason, error)) return nullptr;
-  std::unique_ptr<ScanSource> source = OpenStored(path, found, error);
-  if (source == nullptr) return nullptr;
-  source = std::make_unique<AxesSource>(std::move(source), options.axes);
-  if (!(options.drop_share > 0.0)) return source;
+  std::unique_ptr<ScanSource> source =
+      options.radar == "all" ? OpenAll(path, found, error) : OpenOne(path, found, error);
+  if (source == nullptr || !(options.drop_share > 0.0)) return source;
   return std::make_unique<ThinnedSource>(std::move(source), options.drop_share, options.drop_seed);
 }
 

@@ -117,8 +117,37 @@ std::string PlyBytes(const std::vector<RadarReturn>& returns, PlyEncoding encodi
 
 std::string CsvBytes(const std::vector<RadarReturn>& returns) {
   std::string text = "x,y,z,doppler,power\n";
-  for (const RadarReturn& ret : returns) AppendTextLine(ret, ',', &text);
+  for (const RadarReturn& ret : returns) {
+    char line[200];
+    const auto [x, y, z, doppler, power] = Values(ret);
+    std::snprintf(line,
+                  sizeof(line),
+                  "%.17g,%.17g,%.17g,%.17g,%.17g\n",
+                  static_cast<double>(x),
+                  static_cast<double>(y),
+                  static_cast<double>(z),
+                  static_cast<double>(doppler),
+                  static_cast<double>(power));
+    text += line;
+  }
   return text;
+}
+
+std::string NpyBytes(const std::vector<RadarReturn>& returns) {
+  std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (" +
+                       std::to_string(returns.size()) + ", 5), }";
+  // Up to the data the file is a multiple of 64 bytes long.
+  constexpr std::size_t kFront = 10;  // magic, version and length [bytes]
+  header.append(63 - (kFront + header.size()) % 64, ' ');
+  header += '\n';
+  std::string bytes("\x93NUMPY\x01\0", 8);
+  AppendLittleEndian(static_cast<std::uint16_t>(header.size()), &bytes);
+  bytes += header;
+  for (const RadarReturn& ret : returns) {
+    const auto [x, y, z, doppler, power] = Values(ret);
+    AppendFloats({x, y, z, power, doppler}, &bytes);
+  }
+  return bytes;
 }
 
 std::string RawBytes(const std::vector<RadarReturn>& returns) {
@@ -148,6 +177,41 @@ std::string HerculesBytes(const std::vector<RadarReturn>& returns) {
     const double whole = std::isfinite(power) ? std::clamp(std::round(power), -128.0F, 127.0F) : 0;
     AppendLittleEndian(static_cast<std::int8_t>(whole), &bytes);
     AppendFloats({std::atan2(y, x), range > 0.0F ? std::asin(z / range) : 0.0F}, &bytes);
+  }
+  return bytes;
+}
+
+std::string AevaBytes(const std::vector<RadarReturn>& returns) {
+  std::string bytes;
+  for (const RadarReturn& ret : returns) {
+    const auto [x, y, z, doppler, power] = Values(ret);
+    AppendFloats({x, y, z, 0.0F, doppler}, &bytes);  // reflectivity 0
+    AppendLittleEndian(std::int32_t{0}, &bytes);     // time offset
+    AppendLittleEndian(std::int8_t{0}, &bytes);      // line
+    AppendFloats({power}, &bytes);
+  }
+  return bytes;
+}
+
+std::string Tj4dBytes(const std::vector<RadarReturn>& returns) {
+  constexpr float kDegrees = 57.29577951F;
+  std::string bytes;
+  for (const RadarReturn& ret : returns) {
+    const auto [x, y, z, doppler, power] = Values(ret);
+    const float range = Eigen::Vector3f(x, y, z).norm();
+    const float elevation = range > 0.0F ? std::asin(z / range) : 0.0F;
+    AppendFloats(
+        {x, y, z, doppler, range, power, -kDegrees * std::atan2(y, x), kDegrees * elevation},
+        &bytes);
+  }
+  return bytes;
+}
+
+std::string ColoRadarBytes(const std::vector<RadarReturn>& returns) {
+  std::string bytes;
+  for (const RadarReturn& ret : returns) {
+    const auto [x, y, z, doppler, power] = Values(ret);
+    AppendFloats({x, y, z, power, doppler}, &bytes);
   }
   return bytes;
 }

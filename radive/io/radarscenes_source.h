@@ -12,6 +12,7 @@
 
 #include "radive/io/input_options.h"
 #include "radive/io/point_converter.h"
+#include "radive/io/radarscenes_table.h"
 #include "radive/io/scan_source.h"
 
 namespace radive {
@@ -31,7 +32,7 @@ class RadarScenesSource : public ScanSource {
  public:
   // `options` must be valid. Null, with file, line and expectation in `error`, when the files of
   // the radar input.radar are absent, a line cannot be read, or a line asks for rows that the file
-  // of points does not have. input.radar = all: every radar of the folder, see MergedSource.
+  // of points does not have.
   static std::unique_ptr<ScanSource> Open(const std::filesystem::path& path,
                                           const InputOptions& options,
                                           std::string* error);
@@ -44,29 +45,22 @@ class RadarScenesSource : public ScanSource {
   SourceFacts Facts() const override;
 
  private:
-  struct Entry {
-    std::int64_t stamp_ns;
-    std::uint64_t first_point;
-    std::uint64_t num_points;
-    int line;  // in the table, from 1
-  };
   class PointFile;
 
   explicit RadarScenesSource(const InputOptions& options);
-  static std::unique_ptr<RadarScenesSource> OpenRadar(const std::filesystem::path& folder,
-                                                      int radar,
-                                                      const InputOptions& options,
-                                                      std::string* error);
   bool ReadTable(std::string* error);
   bool CheckRows(std::uint64_t num_rows, std::string* error) const;
 
   int radar_ = 0;
   std::filesystem::path table_path_;
-  std::vector<Entry> entries_;
+  std::vector<RadarScenesScan> entries_;
   std::unique_ptr<PointFile> points_;
   std::size_t next_ = 0;
   PointTable rows_;  // of one scan, kept for their memory
   PointConverter converter_;
 };
+
+// The radars that have a table in `folder`, by number.
+std::vector<int> RadarsOfRadarScenes(const std::filesystem::path& folder);
 
 }  // namespace radive

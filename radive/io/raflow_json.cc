@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "radive/io/pose_text.h"
+
 namespace radive {
 namespace {
 
@@ -49,6 +51,23 @@ bool ReadScan(const json& file, const char* key, PointTable* table, std::string*
   return true;
 }
 
+// Four rows of four numbers.
+bool ReadPose(const json& file, const char* key, MatrixPose* pose) {
+  const auto scan = file.find(key);
+  if (scan == file.end() || !scan->is_object()) return false;
+  const auto rows = scan->find("pose");
+  if (rows == scan->end() || !rows->is_array() || rows->size() != 4) return false;
+  Eigen::Matrix4d matrix;
+  for (int row = 0; row < 4; ++row) {
+    const json& numbers = (*rows)[static_cast<std::size_t>(row)];
+    if (!IsNumbers(numbers) || numbers.size() != 4) return false;
+    for (int column = 0; column < 4; ++column) {
+      matrix(row, column) = numbers[static_cast<std::size_t>(column)].get<double>();
+    }
+  }
+  return RigidPose(matrix.topRows<3>(), pose);
+}
+
 }  // namespace
 
 bool ParseRaFlowPair(std::string_view text, RaFlowPair* pair, std::string* error) {
@@ -66,6 +85,19 @@ bool ParseRaFlowPair(std::string_view text, RaFlowPair* pair, std::string* error
   }
   pair->interval_ns = std::llround(seconds * 1e9);
   return ReadScan(file, "pc1", &pair->first, error) && ReadScan(file, "pc2", &pair->second, error);
+}
+
+bool ParseRaFlowPoses(std::string_view text,
+                      MatrixPose* T_world_first,
+                      MatrixPose* T_world_second,
+                      std::string* error) {
+  const json file = json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
+  if (file.is_object() && ReadPose(file, "pc1", T_world_first) &&
+      ReadPose(file, "pc2", T_world_second)) {
+    return true;
+  }
+  *error = "pc1.pose and pc2.pose: expected four rows of four numbers, a rigid transform each";
+  return false;
 }
 
 }  // namespace radive

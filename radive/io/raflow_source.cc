@@ -94,6 +94,56 @@ std::vector<std::pair<std::size_t, std::size_t>> FindClips(const std::vector<Fil
   return clips;
 }
 
+struct Clip {
+  std::vector<fs::path> files;
+  std::vector<std::int64_t> stamps_ns;  // one more than files
+  std::string description;
+};
+
+// The clip of that number from 1, or the longest if it is 0.
+std::optional<Clip> ChooseClip(const fs::path& path, int number, std::string* error) {
+  std::vector<File> files = FindFiles(path);
+  if (files.empty()) {
+    *error = path.string() +
+             ": no scans found, expected files radar_seqs-S_samples-K.json (RaFlow) in it or below";
+    return std::nullopt;
+  }
+  for (File& file : files) {
+    RaFlowPair pair;
+    if (!ReadPair(file.path, &pair, error)) return std::nullopt;
+    file.interval_ns = pair.interval_ns;
+    file.first = Fingerprint(pair.first.owned);
+    file.second = Fingerprint(pair.second.owned);
+  }
+  const auto clips = FindClips(files);
+  std::size_t chosen = static_cast<std::size_t>(number);
+  if (chosen > clips.size()) {
+    *error = "input.clip: " + path.string() + " has " + std::to_string(clips.size()) +
+             " clips of consecutive scans, there is no number " + std::to_string(chosen);
+    return std::nullopt;
+  }
+  if (chosen == 0) {
+    const auto longest =
+        std::max_element(clips.begin(), clips.end(), [](const auto& a, const auto& b) {
+          return a.second - a.first < b.second - b.first;
+        });
+    chosen = static_cast<std::size_t>(longest - clips.begin()) + 1;
+  }
+  const auto [begin, end] = clips[chosen - 1];
+  Clip clip;
+  clip.stamps_ns = {0};
+  for (std::size_t i = begin; i < end; ++i) {
+    clip.files.push_back(files[i].path);
+    clip.stamps_ns.push_back(clip.stamps_ns.back() + files[i].interval_ns);
+  }
+  clip.description =
+      "RaFlow clip " + std::to_string(chosen) + " of " + std::to_string(clips.size()) +
+      " (input.clip), samples " + std::to_string(files[begin].sample) + " to " +
+      std::to_string(files[end - 1].sample) + " of sequence " +
+      std::to_string(files[begin].sequence) + " in " + files[begin].path.parent_path().string();
+  return clip;
+}
+
 }  // namespace
 
 bool ParseRaFlowName(const std::string& name, std::int64_t* sequence, std::int64_t* sample) {
@@ -119,47 +169,32 @@ bool ParseRaFlowName(const std::string& name, std::int64_t* sequence, std::int64
 std::unique_ptr<RaFlowSource> RaFlowSource::Open(const fs::path& path,
                                                  const InputOptions& options,
                                                  std::string* error) {
-  std::vector<File> files = FindFiles(options.folder.empty() ? path : path / options.folder);
-  if (files.empty()) {
-    *error = path.string() +
-             ": no scans found, expected files radar_seqs-S_samples-K.json (RaFlow) in it or below";
-    return nullptr;
+  std::optional<Clip> clip =
+      ChooseClip(options.folder.empty() ? path : path / options.folder, options.clip, error);
+  if (!clip) return nullptr;
+  return std::unique_ptr<RaFlowSource>(new RaFlowSource(
+      std::move(clip->files), std::move(clip->stamps_ns), std::move(clip->description), options));
+}
+
+std::optional<RecordedTrajectory> ReadRaFlowPoses(const fs::path& path,
+                                                  int clip_number,
+                                                  std::string* error) {
+  const std::optional<Clip> clip = ChooseClip(path, clip_number, error);
+  if (!clip) return std::nullopt;
+  RecordedTrajectory poses;
+  for (std::size_t i = 0; i < clip->files.size(); ++i) {
+    std::string text, reason;
+    if (!ReadWholeFile(clip->files[i], &text, error)) return std::nullopt;
+    MatrixPose first, second;
+    if (!ParseRaFlowPoses(text, &first, &second, &reason)) {
+      *error = clip->files[i].string() + ": " + reason;
+      return std::nullopt;
+    }
+    poses.push_back({clip->stamps_ns[i], StampSeconds(clip->stamps_ns[i]), first});
+    if (i + 1 < clip->files.size()) continue;
+    poses.push_back({clip->stamps_ns[i + 1], StampSeconds(clip->stamps_ns[i + 1]), second});
   }
-  for (File& file : files) {
-    RaFlowPair pair;
-    if (!ReadPair(file.path, &pair, error)) return nullptr;
-    file.interval_ns = pair.interval_ns;
-    file.first = Fingerprint(pair.first.owned);
-    file.second = Fingerprint(pair.second.owned);
-  }
-  const auto clips = FindClips(files);
-  std::size_t clip = static_cast<std::size_t>(options.clip);
-  if (clip > clips.size()) {
-    *error = "input.clip: " + path.string() + " has " + std::to_string(clips.size()) +
-             " clips of consecutive scans, there is no number " + std::to_string(clip);
-    return nullptr;
-  }
-  if (clip == 0) {
-    const auto longest =
-        std::max_element(clips.begin(), clips.end(), [](const auto& a, const auto& b) {
-          return a.second - a.first < b.second - b.first;
-        });
-    clip = static_cast<std::size_t>(longest - clips.begin()) + 1;
-  }
-  const auto [begin, end] = clips[clip - 1];
-  std::vector<fs::path> chosen;
-  std::vector<std::int64_t> stamps_ns = {0};
-  for (std::size_t i = begin; i < end; ++i) {
-    chosen.push_back(files[i].path);
-    stamps_ns.push_back(stamps_ns.back() + files[i].interval_ns);
-  }
-  std::string description =
-      "RaFlow clip " + std::to_string(clip) + " of " + std::to_string(clips.size()) +
-      " (input.clip), samples " + std::to_string(files[begin].sample) + " to " +
-      std::to_string(files[end - 1].sample) + " of sequence " +
-      std::to_string(files[begin].sequence) + " in " + files[begin].path.parent_path().string();
-  return std::unique_ptr<RaFlowSource>(
-      new RaFlowSource(std::move(chosen), std::move(stamps_ns), std::move(description), options));
+  return poses;
 }
 
 RaFlowSource::RaFlowSource(std::vector<fs::path> files,

@@ -13,6 +13,7 @@
 #include "radive/io/input_options.h"
 #include "radive/io/point_converter.h"
 #include "radive/io/scan_source.h"
+#include "radive/sensor/recorded_trajectory.h"
 
 namespace radive {
 
@@ -46,6 +47,12 @@ class RaFlowSource : public ScanSource {
   PointConverter converter_;
   std::size_t next_ = 0;
 };
+
+// The poses T_world_radar of the scans of a clip, with the stamps that RaFlowSource gives them;
+// coarse: their translations are unfiltered satellite fixes. As Open() otherwise.
+std::optional<RecordedTrajectory> ReadRaFlowPoses(const std::filesystem::path& path,
+                                                  int clip,
+                                                  std::string* error);
 
 // True for the name of a file of RaFlow; gives its two numbers.
 bool ParseRaFlowName(const std::string& name, std::int64_t* sequence, std::int64_t* sample);

@@ -17,7 +17,9 @@ namespace radive {
 namespace {
 
 constexpr char kAevaLayout[] = "aeva";
-constexpr std::int64_t kLastStampOf25Bytes = 1691936557946849179;  // [ns]
+// Recordings with 25 bytes end in August 2023; stamps before 2019 are of another clock [ns].
+constexpr std::int64_t kFirstStampOf25Bytes = 1546300800000000000;
+constexpr std::int64_t kLastStampOf25Bytes = 1691936557946849179;
 
 RawLayout LayoutOf(const std::string& text) {
   std::string error;
@@ -84,7 +86,8 @@ bool AevaFileReader::Read(std::string_view bytes,
                           std::string* error) {
   const bool fits29 = bytes.size() % 29 == 0;
   const bool fits25 = bytes.size() % 25 == 0;
-  const bool is29 = fits29 != fits25 ? fits29 : stamp_ns > kLastStampOf25Bytes;
+  const bool is_old = stamp_ns >= kFirstStampOf25Bytes && stamp_ns <= kLastStampOf25Bytes;
+  const bool is29 = fits29 != fits25 ? fits29 : !is_old;
   return (is29 ? reader29_ : reader25_).Read(bytes, stamp_ns, table, remarks, error);
 }
 

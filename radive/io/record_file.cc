@@ -45,7 +45,8 @@ bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std:
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (!std::filesystem::is_regular_file(status)) {
-    *error = path.string() + ": " + (failure ? failure.message() : "no regular file");
+    *error =
+        path.string() + ": cannot be opened: " + (failure ? failure.message() : "no regular file");
     return false;
   }
   if (IsLfsPointer(path, error)) return false;

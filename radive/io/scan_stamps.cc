@@ -20,17 +20,16 @@ std::optional<std::int64_t> ParseInteger(std::string_view text) {
   return value;
 }
 
-bool ReadStampFile(const std::filesystem::path& path,
-                   std::vector<std::int64_t>* stamps_ns,
-                   std::string* error) {
-  std::string text;
-  if (!ReadWholeFile(path, &text, error)) return false;
+bool ParseStampLines(std::string_view text,
+                     bool is_trajectory,
+                     const std::string& place,
+                     std::vector<std::int64_t>* stamps_ns,
+                     std::string* error) {
   struct Entry {
     int line;
     std::string_view text;
   };
   std::vector<Entry> entries;
-  const bool is_trajectory = path.filename() == "ref_poses.txt";
   bool are_seconds = is_trajectory;
   TextLines lines(text);
   for (std::string_view line; lines.Next(&line);) {
@@ -45,7 +44,7 @@ bool ReadStampFile(const std::filesystem::path& path,
     const std::optional<std::int64_t> stamp =
         are_seconds ? ParseStamp(entry.text) : ParseInteger(entry.text);
     if (!stamp) {
-      *error = path.string() + ":" + std::to_string(entry.line) +
+      *error = place + ":" + std::to_string(entry.line) +
                ": expected one stamp, integer nanoseconds or decimal seconds, found " +
                Quoted(entry.text);
       return false;
@@ -53,6 +52,15 @@ bool ReadStampFile(const std::filesystem::path& path,
     stamps_ns->push_back(*stamp);
   }
   return true;
+}
+
+bool ReadStampFile(const std::filesystem::path& path,
+                   std::vector<std::int64_t>* stamps_ns,
+                   std::string* error) {
+  std::string text;
+  const bool is_trajectory = path.filename() == "ref_poses.txt";
+  return ReadWholeFile(path, &text, error) &&
+         ParseStampLines(text, is_trajectory, path.string(), stamps_ns, error);
 }
 
 std::optional<std::int64_t> StampOfStem(std::string_view stem) {

@@ -24,6 +24,13 @@ bool ReadStampFile(const std::filesystem::path& path,
                    std::vector<std::int64_t>* stamps_ns,
                    std::string* error);
 
+// The same with the text of such a file; `place` stands for its name in messages.
+bool ParseStampLines(std::string_view text,
+                     bool is_trajectory,
+                     const std::string& place,
+                     std::vector<std::int64_t>* stamps_ns,
+                     std::string* error);
+
 // The time that the name of a scan file stands for: 18 or 19 digits are nanoseconds, 15 or 16
 // microseconds, 12 or 13 milliseconds since an epoch; SECONDS.NANOSECONDS with all nine digits are
 // that. Nothing for other names, and for numbers with leading zeros, which are positions. `stem` is

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Naming { kNumber6, kNumber5, kNanoseconds, kSeconds };
+enum class Naming { kNumber6, kNumber5, kNumber, kNanoseconds, kSeconds };
 
 struct FileForm {
   const char* name;
@@ -70,8 +70,12 @@ const FileForm kForms[] = {
      true,
      [](const Returns& returns) { return PlyBytes(returns, PlyEncoding::kBigEndian); }},
     {"csv", "radar", ".csv", Naming::kNumber6, true, CsvBytes},
+    {"npy", "radar", ".npy", Naming::kNumber6, true, NpyBytes},
     {"hercules", "Radar/Continental", ".bin", Naming::kNanoseconds, true, HerculesBytes},
     {"snail", "ars548/points", ".pcd", Naming::kSeconds, true, SnailPcdBytes},
+    {"aeva", "LiDAR/Aeva", ".bin", Naming::kNanoseconds, true, AevaBytes},
+    {"tj4d", "training/velodyne", ".bin", Naming::kNumber6, true, Tj4dBytes},
+    {"coloradar", "single_chip/pointclouds/data", ".bin", Naming::kNumber, true, ColoRadarBytes},
     {"vod", "radar/training/velodyne", ".bin", Naming::kNumber5, false, VodBytes},
 };
 
@@ -84,6 +88,8 @@ std::string NameOf(Naming naming, int number, std::int64_t stamp_ns) {
     case Naming::kNumber5:
       std::snprintf(name, sizeof(name), "%05d", number);
       return name;
+    case Naming::kNumber:
+      return "radar_pointcloud_" + std::to_string(number);
     case Naming::kNanoseconds:
       std::snprintf(name, sizeof(name), "%019lld", static_cast<long long>(stamp_ns));
       return name;

@@ -3,21 +3,18 @@
 
 #include "radive/io/trajectory_io.h"
 
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <limits>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "radive/io/pose_text.h"
+#include "radive/io/record_file.h"
 #include "radive/io/stamp_text.h"
+#include "radive/io/text_lines.h"
 
 namespace radive {
 namespace {
-
-constexpr std::string_view kSeparators = " \t,\r";
 
 struct LineForm {
   std::size_t num_values;
@@ -37,34 +34,6 @@ LineForm FormOf(TrajectoryFormat format) {
   return {8, false, "t x y z qx qy qz qw"};
 }
 
-std::vector<std::string_view> SplitLine(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::size_t begin = line.find_first_not_of(kSeparators); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(kSeparators, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kSeparators, end);
-  }
-  return words;
-}
-
-// The nearest double, as Python's float() reads it; independent of the locale.
-std::optional<double> ParseDouble(std::string_view text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [rest, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = code == std::errc() && rest == text.data() + text.size();
-  return whole && std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
-}
-
-// Rotation matrix of a quaternion of any length; identity for (almost) zero ones, as evo has it.
-Eigen::Matrix3d RotationMatrix(double w, double x, double y, double z) {
-  const Eigen::Quaterniond q(w, x, y, z);
-  if (q.squaredNorm() < 4.0 * std::numeric_limits<double>::epsilon()) {
-    return Eigen::Matrix3d::Identity();
-  }
-  return q.normalized().toRotationMatrix();
-}
-
 // Sets the stamp from its text; false when that is no stamp.
 bool ReadStamp(std::string_view text, double value, TrajectoryFormat format, RecordedPose* pose) {
   const bool nanoseconds = format == TrajectoryFormat::kEuroc || LooksLikeNanoseconds(text);
@@ -81,7 +50,7 @@ bool ParsePose(std::string_view line,
                RecordedPose* pose,
                std::string* problem) {
   const LineForm form = FormOf(format);
-  const std::vector<std::string_view> words = SplitLine(line);
+  const std::vector<std::string_view> words = SplitColumns(line);
   const bool enough = words.size() >= form.num_values;
   if (!enough || (words.size() > form.num_values && !form.more_allowed)) {
     *problem = "expected " + std::to_string(form.num_values) + " numbers '" + form.names +
@@ -91,7 +60,7 @@ bool ParsePose(std::string_view line,
 
   std::vector<double> v(form.num_values);
   for (std::size_t i = 0; i < v.size(); ++i) {
-    const std::optional<double> value = ParseDouble(words[i]);
+    const std::optional<double> value = ParseFinite(words[i]);
     if (!value) {
       *problem = "expected a finite number in column " + std::to_string(i + 1) + " of '" +
                  form.names + "', found '" + std::string(words[i]) + "'";
@@ -111,8 +80,8 @@ bool ParsePose(std::string_view line,
   }
   pose->T_world_body.translation << v[1], v[2], v[3];
   pose->T_world_body.rotation = format == TrajectoryFormat::kEuroc
-                                    ? RotationMatrix(v[4], v[5], v[6], v[7])
-                                    : RotationMatrix(v[7], v[4], v[5], v[6]);
+                                    ? RotationOfQuaternion(v[4], v[5], v[6], v[7])
+                                    : RotationOfQuaternion(v[7], v[4], v[5], v[6]);
   return true;
 }
 
@@ -136,39 +105,37 @@ bool WriteLines(const std::filesystem::path& file,
 
 }  // namespace
 
-std::optional<RecordedTrajectory> ReadTrajectory(const std::filesystem::path& file,
-                                                 TrajectoryFormat format,
-                                                 std::string* error) {
-  std::error_code code;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, code)) {
-    *error = file.string() + ": cannot be opened; expected a trajectory file";
-    return std::nullopt;
-  }
+std::optional<RecordedTrajectory> ParseTrajectory(std::string_view text,
+                                                  TrajectoryFormat format,
+                                                  const std::string& place,
+                                                  std::string* error) {
   RecordedTrajectory trajectory;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    std::string_view text = line;
-    if (number == 1 && text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-    const std::size_t first = text.find_first_not_of(kSeparators);
-    if (first == std::string_view::npos || text[first] == '#') continue;
+  TextLines lines(text);
+  for (std::string_view line; lines.Next(&line);) {
+    const std::size_t first = line.find_first_not_of(kColumnSeparators);
+    if (first == std::string_view::npos || line[first] == '#') continue;
+    if (trajectory.empty() && HoldsNamesOnly(line)) continue;
     RecordedPose pose;
     std::string problem;
-    if (!ParsePose(text, format, &pose, &problem)) {
-      *error = file.string() + ":" + std::to_string(number) + ": " + problem;
+    if (!ParsePose(line, format, &pose, &problem)) {
+      *error = place + ":" + std::to_string(lines.number()) + ": " + problem;
       return std::nullopt;
     }
     trajectory.push_back(pose);
   }
-  if (stream.bad()) {
-    *error = file.string() + ": reading failed";
-    return std::nullopt;
-  }
   if (trajectory.empty()) {
-    *error = file.string() + ": holds no poses; expected lines '" + FormOf(format).names + "'";
+    *error = place + ": holds no poses; expected lines '" + FormOf(format).names + "'";
     return std::nullopt;
   }
   return trajectory;
+}
+
+std::optional<RecordedTrajectory> ReadTrajectory(const std::filesystem::path& file,
+                                                 TrajectoryFormat format,
+                                                 std::string* error) {
+  std::string text;
+  if (!ReadWholeFile(file, &text, error)) return std::nullopt;
+  return ParseTrajectory(text, format, file.string(), error);
 }
 
 std::string TumLine(const StampedPose& pose) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "radive/sensor/recorded_trajectory.h"
 #include "radive/sensor/trajectory.h"
@@ -20,16 +21,23 @@ namespace radive {
 enum class TrajectoryFormat { kTum, kKitti, kEuroc };
 
 // Reads such a file. Lenient about form: numbers are separated by blanks, tabs or commas, empty
-// lines, lines that start with '#', carriage returns and a byte order mark are skipped, and a TUM
-// stamp of more than 15 digits without a point counts nanoseconds. Strict about content: a line
-// with a missing or superfluous number, a non-number or a non-finite one is an error, and so is a
-// file without poses. `error` then says "FILE:LINE: what was expected, what was found".
+// lines, lines that start with '#', a first line without any number (names of the columns),
+// carriage returns and a byte order mark are skipped, and a TUM stamp of more than 15 digits
+// without a point counts nanoseconds. Strict about content: a line with a missing or superfluous
+// number, a non-number or a non-finite one is an error, and so is a file without poses. `error`
+// then says "FILE:LINE: what was expected, what was found".
 //
 // As in evo, quaternions are normalised (a zero quaternion counts as identity) and the rotation
 // matrices of KITTI files are taken as they are. Lines keep their order; stamps need not ascend.
 std::optional<RecordedTrajectory> ReadTrajectory(const std::filesystem::path& file,
                                                  TrajectoryFormat format,
                                                  std::string* error);
+
+// The same with the text of a file; `place` stands for its name in messages.
+std::optional<RecordedTrajectory> ParseTrajectory(std::string_view text,
+                                                  TrajectoryFormat format,
+                                                  const std::string& place,
+                                                  std::string* error);
 
 // One line of a TUM or KITTI file, without the line end: single blanks, nine decimals, as evo
 // accepts it. For writers that add poses as they come.

@@ -37,18 +37,6 @@ constexpr double kMinTranslationSigma = 1e-3;
 
 double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
-// Turns the axes of both halves.
-Eigen::Matrix<double, 6, 6> Turned(const Eigen::Matrix3d& R,
-                                   const Eigen::Matrix<double, 6, 6>& covariance) {
-  Eigen::Matrix<double, 6, 6> turned;
-  for (int i = 0; i < 2; ++i) {
-    for (int j = 0; j < 2; ++j) {
-      turned.block<3, 3>(3 * i, 3 * j) = R * covariance.block<3, 3>(3 * i, 3 * j) * R.transpose();
-    }
-  }
-  return turned;
-}
-
 }  // namespace
 
 bool MotionFusion::Covers(const Step& step, std::int64_t begin_ns, std::int64_t end_ns) {
@@ -166,7 +154,7 @@ void MotionFusion::AddStep(std::int64_t stamp_ns,
   step.begin_ns = chain->stamp_ns;
   step.end_ns = stamp_ns;
   step.rate = TwistOf(chain->T_own_body.Inverse() * T_own_body) / dt;
-  step.covariance = Turned(T_own_body.RotationMatrix().transpose(), covariance) / dt;
+  step.covariance = TurnedCovariance(T_own_body.RotationMatrix().transpose(), covariance) / dt;
 
   const double min_rotation = kMinRotationSigma * kMinRotationSigma / dt;
   const double min_translation = kMinTranslationSigma * kMinTranslationSigma / dt;
@@ -217,8 +205,8 @@ void MotionFusion::Add(int radar,
     T_world_body_ = T_world_body_ * MotionAlong(twist);
     begin_ns = end_ns;
   }
-  covariance_ =
-      Seconds(interval) * Turned(T_world_body_.RotationMatrix(), LastRate(stamp_ns).covariance);
+  covariance_ = Seconds(interval) *
+                TurnedCovariance(T_world_body_.RotationMatrix(), LastRate(stamp_ns).covariance);
   velocity_ = velocity;
 }
 

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "radive/geometry/pose_covariance.h"
 #include "radive/geometry/rigid3.h"
 #include "radive/geometry/twist.h"
 
@@ -40,17 +41,15 @@ class MotionFusion {
   void Add(int radar,
            std::int64_t stamp_ns,
            const Rigid3& T_own_body,
-           const Eigen::Matrix<double, 6, 6>& covariance,
+           const Matrix6d& covariance,
            const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
 
   // At the last stamp; the world is the body's frame at the first one.
   const Rigid3& T_world_body() const { return T_world_body_; }
   // Of the motion in the time between two scans of the last radar, axes of the world frame.
-  const Eigen::Matrix<double, 6, 6>& covariance() const { return covariance_; }
+  const Matrix6d& covariance() const { return covariance_; }
 
  private:
-  using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
   // Between two scans of a radar.
   struct Step {
     std::int64_t begin_ns, end_ns;

@@ -10,29 +10,11 @@
 #include <set>
 #include <utility>
 
+#include "radive/geometry/pose_covariance.h"
 #include "radive/odometry/motion_fusion.h"
 #include "radive/odometry/radar_odometry.h"
 
 namespace radive {
-namespace {
-
-// Covariance of the pose of a point that is rigidly joined to the one whose covariance is given, at
-// `lever` from it [m] (world frame): its translation moves by dt + dr x lever.
-Matrix6d CovarianceAtLever(const Matrix6d& covariance, const Eigen::Vector3d& lever) {
-  Matrix6d jacobian = Matrix6d::Identity();
-  jacobian.bottomLeftCorner<3, 3>() = -Skew(lever);
-  return jacobian * covariance * jacobian.transpose();
-}
-
-// The same in axes that are turned by R.
-Matrix6d Turned(const Eigen::Matrix3d& R, const Matrix6d& covariance) {
-  Matrix6d jacobian = Matrix6d::Zero();
-  jacobian.topLeftCorner<3, 3>() = R;
-  jacobian.bottomRightCorner<3, 3>() = R;
-  return jacobian * covariance * jacobian.transpose();
-}
-
-}  // namespace
 
 const char* ToString(OdometryResult::Status status) {
   switch (status) {
@@ -108,20 +90,20 @@ void Odometry::Impl::TakeNotesOf(RadarOdometry* odometry) {
 
 void Odometry::Impl::PlaceInWorld(int number, Radar* radar, OdometryResult* result) {
   const Rigid3 T_own_radar = result->T_world_radar;
-  const Rigid3 T_radar_body = radar->T_body_radar->Inverse();
+  const Rigid3 T_radar_body = radar->T_body_radar.Inverse();
   Rigid3 T_own_body = T_own_radar;
   if (!radar->is_body) {
     // The radar's own world is its frame at its first scan; now it is the body's then.
     T_own_body = radar->T_body_radar * T_own_radar * T_radar_body;
-    result->covariance = Turned(
-        radar->T_body_radar->RotationMatrix(),
-        CovarianceAtLever(result->covariance, T_own_radar->rotation * T_radar_body.translation));
+    result->covariance = TurnedCovariance(
+        radar->T_body_radar.RotationMatrix(),
+        CovarianceAtLever(result->covariance, T_own_radar.rotation * T_radar_body.translation));
   }
   fusion_.Add(number,
               result->stamp_ns,
               T_own_body,
               result->covariance,
-              radar->T_body_radar->rotation * result->ego_velocity.v_radar);
+              radar->T_body_radar.rotation * result->ego_velocity.v_radar);
   if (radars_.size() == 1) {
     result->T_world_body = T_own_body;
   } else {
@@ -130,7 +112,7 @@ void Odometry::Impl::PlaceInWorld(int number, Radar* radar, OdometryResult* resu
   }
   if (radar->is_body && radars_.size() == 1) return;
   result->T_world_radar = result->T_world_body * radar->T_body_radar;
-  radar->T_world_own = result->T_world_radar * T_own_radar->Inverse();
+  radar->T_world_own = result->T_world_radar * T_own_radar.Inverse();
   for (Eigen::Vector3d& point : result->keyframe_points) point = radar->T_world_own * point;
 }
 

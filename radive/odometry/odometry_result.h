@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "radive/ego_velocity/ego_velocity.h"
+#include "radive/geometry/pose_covariance.h"
 #include "radive/geometry/rigid3.h"
 
 namespace radive {
-
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 // What one call of Odometry::AddScan found.
 struct OdometryResult {

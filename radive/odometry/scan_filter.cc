@@ -28,8 +28,8 @@ std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryO
 std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn>& returns,
                                                    const Eigen::Vector3d& v_radar) const {
   const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
-  const std::vector<bool> keep =
-      KeepMask(returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio);
+  const std::vector<bool> keep = KeepMask(
+      returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio, options_.sensor.doppler_span);
   std::vector<RadarReturn> kept;
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) kept.push_back(returns[i]);
@@ -60,18 +60,23 @@ FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
   if (use_doppler) {
     result->ego_velocity = ego_velocity_.Estimate(filtered.returns, scan.is_planar, scan.stamp_ns);
-    // Without a velocity nothing tells static returns from moving ones.
-    filtered.returns = HasVelocity(result->ego_velocity)
-                           ? StaticReturns(filtered.returns, result->ego_velocity.v_radar)
-                           : std::vector<RadarReturn>();
+    // Without a velocity nothing tells static returns from moving ones. But where the Doppler
+    // wraps, the first scans may leave it open for long: they count as scans without Doppler.
+    if (HasVelocity(result->ego_velocity)) {
+      filtered.returns = StaticReturns(filtered.returns, result->ego_velocity.v_radar);
+    } else if (options_.sensor.doppler_span == 0.0) {
+      filtered.returns.clear();
+    }
   }
   result->times_ms.ego_velocity = stopwatch.Lap();
   filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
-  filtered.weights = use_doppler && options_.ego_velocity.weights
-                         ? DiscrepancyWeights(filtered.returns,
-                                              result->ego_velocity.v_radar,
-                                              options_.ego_velocity.discrepancy_scale)
-                         : std::vector<double>(filtered.returns.size(), 1.0);
+  filtered.weights =
+      use_doppler && HasVelocity(result->ego_velocity) && options_.ego_velocity.weights
+          ? DiscrepancyWeights(filtered.returns,
+                               result->ego_velocity.v_radar,
+                               options_.ego_velocity.discrepancy_scale,
+                               options_.sensor.doppler_span)
+          : std::vector<double>(filtered.returns.size(), 1.0);
   result->num_kept = static_cast<int>(filtered.returns.size());
   result->times_ms.preprocessing += stopwatch.Lap();
   return filtered;

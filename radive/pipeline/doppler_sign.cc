@@ -37,8 +37,13 @@ double DopplerSignSource::ForwardSpeed(const RadarScan& scan,
   return (sensor_.ForRadar(scan.radar).T_vehicle_radar().rotation * v_radar).x();
 }
 
-std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan) {
-  EgoVelocityEstimator estimator(FitOptions(), SensorOptions());
+std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan, const SensorOptions& sensor) {
+  SensorOptions plain;
+  if (sensor.doppler_span > 0.0) {
+    plain.doppler_span = sensor.doppler_span;
+    plain.mount_yaw = sensor.ForRadar(scan.radar).mount_yaw;
+  }
+  EgoVelocityEstimator estimator(FitOptions(), plain);
   const EgoVelocity fit = estimator.Estimate(scan.returns, scan.is_planar, scan.stamp_ns);
   if (!fit.valid) return std::nullopt;
   return fit.v_radar;
@@ -63,7 +68,7 @@ void DopplerSignSource::Decide() {
   for (const RadarScan& scan : ahead_.held_back()) {
     has_doppler = has_doppler || scan.has_doppler;
     const std::optional<Eigen::Vector3d> v_radar =
-        scan.has_doppler ? FitVelocity(scan) : std::nullopt;
+        scan.has_doppler ? FitVelocity(scan, sensor_) : std::nullopt;
     if (v_radar && v_radar->norm() > kMinSpeed) forward.push_back(ForwardSpeed(scan, *v_radar));
   }
   if (!has_doppler) {

@@ -59,7 +59,9 @@ class DopplerSignSource : public ScanSource {
 };
 
 // Velocity of the radar in the radar frame from the Doppler as stored [m/s]; none when the returns
-// do not agree on one.
-std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan);
+// do not agree on one. Of `sensor` only what a Doppler that wraps needs is looked at: its span, and
+// where the front of the vehicle is.
+std::optional<Eigen::Vector3d> FitVelocity(const RadarScan& scan,
+                                           const SensorOptions& sensor = SensorOptions());
 
 }  // namespace radive

@@ -14,7 +14,7 @@
 namespace radive {
 namespace {
 
-constexpr std::array<const char*, 10> kResultFiles = {"trajectory_tum.txt",
+constexpr std::array<const char*, 11> kResultFiles = {"trajectory_tum.txt",
                                                       "trajectory_kitti.txt",
                                                       "scans.csv",
                                                       "timing.csv",
@@ -22,6 +22,7 @@ constexpr std::array<const char*, 10> kResultFiles = {"trajectory_tum.txt",
                                                       "neural_points.ply",
                                                       "mesh.ply",
                                                       "sdf_slice.ply",
+                                                      "scores.json",
                                                       "config.yaml",
                                                       "run.json"};
 

@@ -24,13 +24,13 @@ struct ScanInfo {
 // The results folder of a run. Rows are streamed, so memory does not grow with the drive; files
 // get their names in Finish(), so they appear whole or not at all.
 //
-//   trajectory_tum.txt    "t x y z qx qy qz qw" of T_world_radar, a line for each input scan
+//   trajectory_tum.txt    "t x y z qx qy qz qw" of T_world_body, a line for each input scan
 //   trajectory_kitti.txt  rows of [R | t], a line for each input scan
 //   scans.csv             status, ego velocity, registration and covariances of each scan
 //   timing.csv            milliseconds of each stage and scan (the only file that varies, with
 //                         run.json, between two runs of the same command)
 //   map.ply, neural_points.ply, mesh.ply, sdf_slice.ply   see map_files.h
-//   config.yaml, run.json                                 see WriteText()
+//   scores.json, config.yaml, run.json                    see WriteText()
 class ResultWriter {
  public:
   // Creates the folder and opens the streamed files. A folder that holds anything but earlier
@@ -45,6 +45,8 @@ class ResultWriter {
 
   // Removes an earlier run's file that this run does not write.
   void RemoveEarlier(const std::string& name);
+
+  const std::filesystem::path& folder() const { return folder_; }
 
   // Gives the streamed files their names. Tries all, and reports the first that failed.
   bool Finish(std::string* error);

@@ -85,7 +85,12 @@ std::string RunReport::ToJson(const RunConfig& config, const Facts& facts) const
   json["input"] = facts.input;
   json["source"] = facts.source;
   json["start"] = facts.start;
+  json["max_frames"] = facts.max_frames ? Json(*facts.max_frames) : Json();
   json["frames"] = num_scans();
+  const Eigen::Vector3d& t = facts.T_frame_reference.translation;
+  const Eigen::Quaterniond& q = facts.T_frame_reference.rotation;
+  json["trajectory"] = {{"frame", ConfigJson(config)["output"]["frame"]},
+                        {"T_frame_reference", {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}}};
   json["interrupted"] = facts.interrupted;
   json["error"] = facts.error;
   for (const auto status : {OdometryResult::Status::kRegistered,

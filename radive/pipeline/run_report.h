@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radive/config/run_config.h"
+#include "radive/geometry/rigid3.h"
 #include "radive/odometry/odometry_result.h"
 
 namespace radive {
@@ -33,6 +34,8 @@ class RunReport {
     std::string input;
     std::string source;  // its description
     int start = 0;
+    std::optional<int> max_frames;  // that were asked for; none: all
+    Rigid3 T_frame_reference;       // of output.frame and the ground truth's body
     bool interrupted = false;
     std::string error;  // why the run ended early; empty when it did not
     double wall_seconds = 0.0;

@@ -7,14 +7,18 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radive/config/describe_config.h"
+#include "radive/io/trajectory_io.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/doppler_sign.h"
 #include "radive/pipeline/map_files.h"
+#include "radive/pipeline/output_frame.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
+#include "radive/pipeline/run_scores.h"
 #include "radive/util/progress.h"
 #include "radive/util/stopwatch.h"
 
@@ -39,7 +43,9 @@ class SequenceRun {
 
   RunStatus Run(std::string* error) {
     // A run that cannot begin leaves the folder, and earlier results in it, as they are.
-    if (!SkipStart(error) || !writer_.Open(request_.output, error)) return RunStatus::kFailed;
+    if (!ReadItsReference(error) || !SkipStart(error) || !writer_.Open(request_.output, error)) {
+      return RunStatus::kFailed;
+    }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
     progress_.Finish();
@@ -50,6 +56,8 @@ class SequenceRun {
     }
     return status;
   }
+
+  const std::string& scores() const { return scores_; }
 
  private:
   static OdometryOptions WithRecord(const RunConfig& config) {
@@ -66,6 +74,12 @@ class SequenceRun {
     if (request_.num_frames)
       total = std::min(total.value_or(*request_.num_frames), *request_.num_frames);
     return total;
+  }
+
+  bool ReadItsReference(std::string* error) {
+    if (request_.reference.empty()) return true;
+    reference_ = ReadReference(request_.reference, config_.reference, config_.input.clip, error);
+    return reference_.has_value();
   }
 
   bool IsStopped() const { return request_.stop != nullptr && request_.stop->load(); }
@@ -100,7 +114,9 @@ class SequenceRun {
         *error = source_->error();
         return RunStatus::kFailed;
       }
-      const OdometryResult result = odometry_.AddScan(scan);
+      OdometryResult result = odometry_.AddScan(scan);
+      if (!frame_) frame_.emplace(config_, scan.radar);
+      frame_->Apply(&result);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
       if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
       report_.AddScan(result, info.read_ms);
@@ -143,6 +159,7 @@ class SequenceRun {
     std::vector<RadarSurface> surfaces;
     if (config_.output.NeedsSurface()) {
       surfaces = odometry_.TakeSurfaces();
+      for (RadarSurface& surface : surfaces) frame_->Apply(&surface);
       if (surfaces.empty()) Warn("the neural submap has learned no surface: its map is empty");
     }
     for (const MapFile& file :
@@ -153,6 +170,11 @@ class SequenceRun {
         writer_.RemoveEarlier(file.name);
       }
     }
+    if (reference_ && ok && run_error.empty()) {
+      keep_first(WriteScores(status, &file_error));
+    } else {
+      writer_.RemoveEarlier("scores.json");
+    }
     keep_first(writer_.WriteText("config.yaml", EffectiveConfig(config_), &file_error));
     RunReport::Facts facts;
     facts.version = request_.version;
@@ -160,11 +182,34 @@ class SequenceRun {
     facts.input = request_.input;
     facts.source = stored_->Description();
     facts.start = request_.start;
+    facts.max_frames = request_.num_frames;
+    if (frame_) facts.T_frame_reference = frame_->T_output_reference();
     facts.interrupted = status == RunStatus::kInterrupted;
     facts.error = run_error.empty() && !ok ? *error : run_error;
     facts.wall_seconds = wall_time_.Milliseconds() / 1000.0;
     keep_first(writer_.WriteText("run.json", report_.ToJson(config_, facts), &file_error));
     return ok;
+  }
+
+  // Of the trajectory as it was written, so that radive_evaluate gives the same.
+  bool WriteScores(RunStatus status, std::string* error) {
+    auto trajectory =
+        ReadTrajectory(writer_.folder() / "trajectory_tum.txt", TrajectoryFormat::kTum, error);
+    if (!trajectory) return false;
+    RunEstimate estimate;
+    estimate.poses = *std::move(trajectory);
+    estimate.start = request_.start;
+    estimate.is_partial = request_.num_frames || status == RunStatus::kInterrupted;
+    if (frame_) estimate.T_output_reference = frame_->T_output_reference();
+    std::string reason;
+    const auto scores = ScoreEstimate(estimate, *reference_, config_.reference, &reason);
+    if (!scores) {
+      *error = request_.reference + ": no scores: " + reason;
+      return false;
+    }
+    scores_ = ScoresText(*scores, *reference_);
+    return writer_.WriteText(
+        "scores.json", ScoresJson(*scores, *reference_, request_.reference), error);
   }
 
   const RunConfig& config_;
@@ -174,6 +219,9 @@ class SequenceRun {
   DopplerSignSource signed_source_;
   ScanSource* const source_;
   Odometry odometry_;
+  std::optional<OutputFrame> frame_;  // from the first scan on
+  std::optional<Reference> reference_;
+  std::string scores_;
   MapThinner map_;
   ResultWriter writer_;
   RunReport report_;
@@ -186,11 +234,14 @@ class SequenceRun {
 RunStatus RunSequence(const RunConfig& config,
                       const RunRequest& request,
                       ScanSource* source,
-                      std::string* error) {
+                      std::string* error,
+                      std::string* scores) {
   error->clear();
   if (!config.IsValid(error)) return RunStatus::kFailed;
   SequenceRun run(config, request, source);
-  return run.Run(error);
+  const RunStatus status = run.Run(error);
+  if (scores != nullptr) *scores = run.scores();
+  return status;
 }
 
 }  // namespace radive

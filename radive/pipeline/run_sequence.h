@@ -16,6 +16,7 @@ namespace radive {
 struct RunRequest {
   std::string input;                        // as the user named it, for run.json
   std::string output;                       // results folder, see ResultWriter
+  std::string reference;                    // ground truth to score against; empty: none
   int start = 0;                            // scans left out at the beginning
   std::optional<int> num_frames;            // scans to run over; none: all
   bool quiet = false;                       // no progress and remarks on stderr
@@ -30,10 +31,12 @@ enum class RunStatus {
   kFailed        // see the error; what was estimated before is in the files all the same
 };
 
-// Runs the odometry over the scans of `source` and writes the results folder.
+// Runs the odometry over the scans of `source` and writes the results folder. With a ground truth
+// the scores go to scores.json in it, and as text to `scores`, where that is not null.
 RunStatus RunSequence(const RunConfig& config,
                       const RunRequest& request,
                       ScanSource* source,
-                      std::string* error);
+                      std::string* error,
+                      std::string* scores = nullptr);
 
 }  // namespace radive

@@ -33,15 +33,19 @@ inline Trajectory ToTrajectory(const RecordedTrajectory& recorded) {
   return trajectory;
 }
 
+// The double nearest to a stamp [s].
+inline double StampSeconds(std::int64_t stamp_ns) {
+  // Whole seconds are exact in a double, so the sum rounds once.
+  const std::int64_t whole = stamp_ns / 1'000'000'000;
+  const std::int64_t rest = stamp_ns % 1'000'000'000;
+  return static_cast<double>(whole) + static_cast<double>(rest) / 1e9;
+}
+
 inline RecordedTrajectory ToRecordedTrajectory(const Trajectory& trajectory) {
   RecordedTrajectory recorded;
   recorded.reserve(trajectory.size());
   for (const StampedPose& pose : trajectory) {
-    // Whole seconds are exact in a double, so the sum rounds once.
-    const std::int64_t whole = pose.stamp_ns / 1'000'000'000;
-    const std::int64_t rest = pose.stamp_ns % 1'000'000'000;
-    const double stamp_s = static_cast<double>(whole) + static_cast<double>(rest) / 1e9;
-    recorded.push_back({pose.stamp_ns, stamp_s, MatrixPose(pose.T_world_body)});
+    recorded.push_back({pose.stamp_ns, StampSeconds(pose.stamp_ns), MatrixPose(pose.T_world_body)});
   }
   return recorded;
 }

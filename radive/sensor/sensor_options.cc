@@ -3,6 +3,8 @@
 
 #include "radive/sensor/sensor_options.h"
 
+#include "radive/geometry/roll_pitch_yaw.h"
+
 namespace radive {
 namespace {
 
@@ -13,10 +15,8 @@ constexpr std::size_t kMountColumns = 7;
 }  // namespace
 
 Rigid3 SensorOptions::T_vehicle_radar() const {
-  const Eigen::Quaterniond rotation(Eigen::AngleAxisd(mount_yaw, Eigen::Vector3d::UnitZ()) *
-                                    Eigen::AngleAxisd(mount_pitch, Eigen::Vector3d::UnitY()) *
-                                    Eigen::AngleAxisd(mount_roll, Eigen::Vector3d::UnitX()));
-  return {rotation, Eigen::Vector3d(mount_x, mount_y, mount_z)};
+  return {RotationFromRollPitchYaw(mount_roll, mount_pitch, mount_yaw),
+          Eigen::Vector3d(mount_x, mount_y, mount_z)};
 }
 
 SensorOptions SensorOptions::ForRadar(int radar) const {
@@ -43,6 +43,12 @@ std::vector<OptionField> SensorOptions::Fields() {
           .Above(0.0),
       OptionField{"sigma_doppler", &sigma_doppler, "m/s", "Standard deviation of the range rate."}
           .Above(0.0),
+      OptionField{"doppler_span",
+                  &doppler_span,
+                  "m/s",
+                  "The Doppler is known but for multiples of this, as it wraps at half of it to "
+                  "either side; 0: it does not."}
+          .AtLeast(0.0),
       OptionField{"range_scale", &range_scale, "-", "Factor on measured ranges."}.Above(0.0).AtMost(
           2.0),
       OptionField{"azimuth_scale", &azimuth_scale, "-", "Factor on measured azimuths."}

@@ -19,6 +19,10 @@ struct SensorOptions {
   double sigma_elevation = 0.02618;  // [rad]
   double sigma_doppler = 0.1;        // [m/s]
 
+  // The sensor measures range rates but for multiples of this: 2 v_max of its waveform. 0: it has
+  // no such ambiguity within the velocities that occur [m/s].
+  double doppler_span = 0.0;
+
   // Calibration of measured returns, in FLU spherical coordinates of the radar frame:
   //   range = range_scale * measured,  azimuth = azimuth_scale * measured + azimuth_offset
   double range_scale = 1.0;     // [-]

@@ -115,9 +115,7 @@ class StudyReader {
   bool ReadEvaluation(const YAML::Node& node) {
     std::vector<OptionField> fields;
     for (OptionField& field : study_.evaluation.Fields()) {
-      if (field.name != "metric" && field.name != "relation" && field.name != "format") {
-        fields.push_back(std::move(field));
-      }
+      if (field.name != "metric" && field.name != "relation") fields.push_back(std::move(field));
     }
     if (!blocks_.Read(node, "evaluate", std::move(fields))) return false;
     if (study_.evaluation.IsValid(error_) && study_.evaluation.pairs.IsValid(error_)) return true;

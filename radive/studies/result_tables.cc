@@ -85,7 +85,7 @@ std::string StudyJson(Study study) {
   }
   json["seeds"] = study.seeds;
   json["perturb"] = FieldsJson(study.perturb.Fields(), {});
-  json["evaluate"] = FieldsJson(study.evaluation.Fields(), {"metric", "relation", "format"});
+  json["evaluate"] = FieldsJson(study.evaluation.Fields(), {"metric", "relation"});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

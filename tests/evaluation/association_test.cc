@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/evaluation/evaluation_test_utils.h"
 
 namespace radive {
@@ -85,6 +87,24 @@ TEST(AssociateByIndex, NeedsEqualLengths) {
       AssociateByIndex(StampedAlongX({0.0, 1.0}), StampedAlongX({7.0, 8.0}), &error);
   ASSERT_TRUE(matched) << error;
   EXPECT_THAT(Xs(matched->estimate), ElementsAre(7.0, 8.0));
+}
+
+TEST(AssociateInterpolated, BringsTheReferenceToTheStampsOfTheEstimate) {
+  RecordedTrajectory reference = StampedAlongX({2.0, 0.0, 1.0, 5.0});
+  // The pose at 1 s has turned by a quarter.
+  reference[2].T_world_body.rotation =
+      testing::Rotation(Eigen::Vector3d::UnitZ(), 1.5707963267948966);
+  std::string error;
+  const auto matched = AssociateInterpolated(
+      reference, StampedAlongX({-0.5, 0.25, 1.0, 3.0, 5.0, 5.5}), 1.5, &error);
+  ASSERT_TRUE(matched) << error;
+  // Outside, and in a gap of 3 s, there is nothing.
+  EXPECT_THAT(Xs(matched->estimate), ElementsAre(0.25, 1.0, 5.0));
+  EXPECT_THAT(Xs(matched->reference), ElementsAre(0.25, 1.0, 5.0));
+  // A quarter of the way to a quarter turn.
+  EXPECT_NEAR(matched->reference[0].rotation(1, 0), std::sin(1.5707963267948966 / 4), 1e-12);
+  EXPECT_FALSE(AssociateInterpolated(reference, StampedAlongX({9.0}), 1.5, &error));
+  EXPECT_THAT(error, HasSubstr("no pose of the estimate lies between"));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 
 #include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluate.h"
+#include "radive/io/trajectory_io.h"
 #include "tests/shared_data.h"
 
 namespace radive {
@@ -35,10 +36,16 @@ struct TrajectoryPair {
   RecordedTrajectory estimate;
 };
 
+TrajectoryFormat FormatOf(const json& recorded_case) {
+  const std::string name = recorded_case.at("format");
+  if (name == "tum") return TrajectoryFormat::kTum;
+  EXPECT_TRUE(name == "kitti" || name == "euroc") << name;
+  return name == "kitti" ? TrajectoryFormat::kKitti : TrajectoryFormat::kEuroc;
+}
+
 EvaluationOptions OptionsOf(const json& recorded_case) {
   EvaluationOptions options;
-  std::string error;
-  EXPECT_TRUE(options.SetWord("format", recorded_case.at("format"), &error)) << error;
+  if (FormatOf(recorded_case) == TrajectoryFormat::kKitti) options.match = PoseMatch::kLine;
   if (recorded_case.at("t_max_diff").is_number()) {
     options.max_time_difference = recorded_case.at("t_max_diff");
   }
@@ -46,7 +53,7 @@ EvaluationOptions OptionsOf(const json& recorded_case) {
 }
 
 TrajectoryPair ReadPair(const json& recorded_case) {
-  const TrajectoryFormat format = OptionsOf(recorded_case).format;
+  const TrajectoryFormat format = FormatOf(recorded_case);
   std::string error;
   const auto reference =
       ReadTrajectory(Folder() / recorded_case.at("ref").get<std::string>(), format, &error);
@@ -169,7 +176,7 @@ TEST(EvoReference, EveryKittiSegment) {
     const EvaluationOptions options = OptionsOf(recorded_case);
     std::string error;
     const auto poses =
-        options.format == TrajectoryFormat::kKitti
+        options.match == PoseMatch::kLine
             ? AssociateByIndex(pair.reference, pair.estimate, &error)
             : AssociateByStamp(pair.reference, pair.estimate, options.max_time_difference, &error);
     ASSERT_TRUE(poses) << error;

@@ -42,6 +42,17 @@ TEST(DopplerFactor, ResidualIsInStandardDeviations) {
   EXPECT_NEAR(Residual(*cost, {10.0, 0.0, 0.0}), 3.0, 1e-12);
 }
 
+// With a span of 4 m/s, -10 m/s is measured as -2: the residual is that to the nearest multiple.
+TEST(DopplerFactor, WrapsToTheNearestMultipleOfTheSpan) {
+  const std::unique_ptr<ceres::CostFunction> exact(
+      DopplerFactor::Create(Eigen::Vector3d::UnitX(), -2.0, /*sigma=*/0.1, /*span=*/4.0));
+  EXPECT_NEAR(Residual(*exact, {10.0, 0.0, 0.0}), 0.0, 1e-12);
+  EXPECT_NEAR(Residual(*exact, {10.3, 0.0, 0.0}), 3.0, 1e-12);
+  EXPECT_NEAR(Residual(*exact, {13.0, 0.0, 0.0}), -10.0, 1e-12);  // 3 is nearer to 4
+  testing::ExpectJacobiansMatchNumeric(
+      *exact, {nullptr}, {Eigen::Vector3d(10.3, 1.0, 0.0).eval().data()});
+}
+
 TEST(DopplerFactor, AutodiffMatchesNumeric) {
   const Eigen::Vector3d direction = Eigen::Vector3d(3.0, -1.0, 0.5).normalized();
   const std::unique_ptr<ceres::CostFunction> cost(DopplerFactor::Create(direction, 4.0, 0.1));

@@ -66,7 +66,44 @@ bool WriteSeeds(const fs::path& folder) {
                "sec: 1\ndetections:\n  - range: 10\n    azimuth_angle: 0.5\n    valid: true\n"
                "  - range: 20\n    azimuth_angle: -0.5\nend: 1\n") &&
          Write(folder / "fuzz_json/pair",
-               "{\"pc1\":" + scan + ",\"pc2\":" + scan + ",\"interval\":0.1}");
+               "{\"pc1\":" + scan + ",\"pc2\":" + scan + ",\"interval\":0.1}") &&
+         Write(folder / "fuzz_raw/hercules", std::string(1, 0) + HerculesBytes(returns)) &&
+         Write(folder / "fuzz_raw/xyzdp5", std::string(1, 2) + RawBytes(returns)) &&
+         Write(folder / "fuzz_raw/aeva", std::string(1, 5) + std::string(58, 'a')) &&
+         Write(folder / "fuzz_scan_table/radarscenes",
+               std::string(1, 0) + "scan,timestamp_rad,first_point,num_points\n1,0.5,0,241\n") &&
+         Write(folder / "fuzz_scan_table/stamps", std::string(1, 1) + "# s\n1.5\n2.5e0\n") &&
+         Write(folder / "fuzz_scan_table/name", std::string(1, 2) + "1706001762.429354169");
+}
+
+// The first byte stands for the format, see the targets.
+bool WriteTruthSeeds(const fs::path& folder) {
+  const std::string matrix = "[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]";
+  const std::string rows = "{\"pose\":[[1,0,0,5],[0,1,0,6],[0,0,1,7],[0,0,0,1]]}";
+  const fs::path text = folder / "fuzz_trajectory";
+  const fs::path json = folder / "fuzz_truth_json";
+  return Write(text / "tum", std::string(1, 0) + "# t\n1706001762.099999905 1 2 3 0 0 0 1\n") &&
+         Write(text / "kitti", std::string(1, 1) + "1 0 0 5 0 1 0 6 0 0 1 7\n") &&
+         Write(text / "euroc", std::string(1, 2) + "1403715529107142912,1,2,3,1,0,0,0,9\n") &&
+         Write(text / "boreas", std::string(1, 3) + "t\n1606417097528152,1,2,3,0,0,0,0,0,1,0\n") &&
+         Write(text / "coloradar", std::string(1, 4) + "1 2 3 0 0 1 0\n") &&
+         Write(text / "radarscenes",
+               std::string(1, 5) + "timestamp_odom,x,y,yaw\n0.07,1,2,-0.1\n") &&
+         Write(text / "named",
+               std::string(1, 6) + "time,x,y,z,v,qx,qy,qz,qw\n1,2,3,4,5,0,0,0,1\n") &&
+         Write(text / "unnamed", std::string(1, 6) + "1,2,3,4,5,6,7,0,0,0.6,0.8\n") &&
+         Write(json / "vod", std::string(1, 0) + "{\"odomToCamera\": " + matrix + "}\n{}") &&
+         Write(json / "calibration",
+               std::string(1, 1) + "P0: 1\nTr_velo_to_cam: 1 0 0 5 0 1 0 6 0 0 1 7\n") &&
+         Write(json / "raflow",
+               std::string(1, 2) + "{\"pc1\":" + rows + ",\"pc2\":" + rows + "}") &&
+         Write(json / "dicp",
+               std::string(1, 3) +
+                   "{\"T_V_to_S\":{\"translation\":{\"x\":1,\"y\":2,\"z\":3},"
+                   "\"quaternion\":{\"w\":1,\"x\":0,\"y\":0,\"z\":0}}}") &&
+         Write(folder / "fuzz_pose_message/pose", std::string(1, 0) + std::string(72, '\0')) &&
+         Write(folder / "fuzz_pose_message/fix",
+               std::string(1, 5) + std::string("\0\1\0\0", 4) + std::string(44, '\0'));
 }
 
 }  // namespace
@@ -77,5 +114,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "seed_points FOLDER\n");
     return 1;
   }
-  return radive::WriteSeeds(argv[1]) ? 0 : 1;
+  return radive::WriteSeeds(argv[1]) && radive::WriteTruthSeeds(argv[1]) ? 0 : 1;
 }

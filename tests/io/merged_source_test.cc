@@ -21,15 +21,10 @@ using testing::FakeScanSource;
 using ::testing::Pair;
 
 // A radar that measures at the given times [ns].
-std::unique_ptr<FakeScanSource> RadarWithStamps(int radar,
-                                                const std::vector<std::int64_t>& stamps,
+std::unique_ptr<FakeScanSource> RadarWithStamps(const std::vector<std::int64_t>& stamps,
                                                 const std::string& error_at_end = "") {
   std::vector<RadarScan> scans;
-  for (const std::int64_t stamp : stamps) {
-    RadarScan& scan = scans.emplace_back();
-    scan.radar = radar;
-    scan.stamp_ns = stamp;
-  }
+  for (const std::int64_t stamp : stamps) scans.emplace_back().stamp_ns = stamp;
   return std::make_unique<FakeScanSource>(std::move(scans), error_at_end);
 }
 
@@ -40,23 +35,23 @@ std::vector<std::pair<int, std::int64_t>> RadarsAndStamps(const std::vector<Rada
 }
 
 TEST(MergedSource, OrdersByStampThenByRadar) {
-  std::vector<std::unique_ptr<ScanSource>> sources;
-  sources.push_back(RadarWithStamps(1, {10, 40, 70}));
-  sources.push_back(RadarWithStamps(2, {5, 40}));
-  sources.push_back(RadarWithStamps(7, {}));
-  MergedSource merged(std::move(sources));
+  std::vector<MergedSource::Radar> radars;
+  radars.push_back({RadarWithStamps({10, 40, 70}), 1});
+  radars.push_back({RadarWithStamps({5, 40}), 2});
+  radars.push_back({RadarWithStamps({}), 7});
+  MergedSource merged(std::move(radars));
   EXPECT_EQ(merged.NumScans(), 5);
   EXPECT_THAT(RadarsAndStamps(testing::ReadAll(&merged)),
               ElementsAre(Pair(2, 5), Pair(1, 10), Pair(1, 40), Pair(2, 40), Pair(1, 70)));
 }
 
 TEST(MergedSource, PassesOnWarningsAndErrors) {
-  auto first = RadarWithStamps(1, {10, 20});
+  auto first = RadarWithStamps({10, 20});
   first->Warn("radar1: something");
-  std::vector<std::unique_ptr<ScanSource>> sources;
-  sources.push_back(std::move(first));
-  sources.push_back(RadarWithStamps(2, {15}, "radar2: broken"));
-  MergedSource merged(std::move(sources));
+  std::vector<MergedSource::Radar> radars;
+  radars.push_back({std::move(first), 1});
+  radars.push_back({RadarWithStamps({15}, "radar2: broken"), 2});
+  MergedSource merged(std::move(radars));
   RadarScan scan;
   ASSERT_EQ(merged.Next(&scan), ScanSource::Status::kScan);
   EXPECT_THAT(merged.TakeWarnings(), ElementsAre("radar1: something"));

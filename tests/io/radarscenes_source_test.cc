@@ -177,26 +177,6 @@ TEST_F(RadarScenesSourceTest, AbsentFilesAreNamed) {
               AllOf(HasSubstr((folder_.path() / "seq7").string()), HasSubstr("expected a folder")));
 }
 
-TEST_F(RadarScenesSourceTest, AllRadarsComeAsOneStream) {
-  WriteTable("1,0.1,0,2,0,0,0,0,0,0\n2,0.3,2,1,0,0,0,0,0,0\n");
-  folder_.Write("radar4_scans.csv", std::string(kNames) + "1,0.2,0,1,0,0,0,0,0,0\n");
-  folder_.Write("radar4_points.bin", Floats({7.0, 0.0, 1.0, 0.0, 11.0}));
-  options_.radar = "all";
-  const auto source = Open();
-  EXPECT_EQ(source->NumScans(), 3);
-  const auto scans = ReadAll(source.get());
-  EXPECT_THAT(testing::Stamps(scans), ElementsAre(100000000, 200000000, 300000000));
-  EXPECT_EQ(scans[0].radar, 2);
-  EXPECT_EQ(scans[1].radar, 4);
-  EXPECT_EQ(scans[1].returns.at(0).position.x(), 7.0);
-
-  std::filesystem::remove(folder_.path() / "radar4_points.bin");
-  EXPECT_THAT(OpenError(), HasSubstr("radar4_points.bin"));
-  const TempFolder empty;
-  EXPECT_EQ(RadarScenesSource::Open(empty.path(), options_, &error_), nullptr);
-  EXPECT_THAT(error_, AllOf(HasSubstr(empty.string()), HasSubstr("radar1_scans.csv")));
-}
-
 TEST_F(RadarScenesSourceTest, SkipsWithoutReading) {
   WriteTable("1,0.1,0,1,0,0,0,0,0,0\n2,0.2,1,1,0,0,0,0,0,0\n3,0.3,2,1,0,0,0,0,0,0\n");
   const auto source = Open();

@@ -12,8 +12,6 @@
 namespace radive {
 namespace {
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
 constexpr std::int64_t kMs = 1'000'000;
 
 double Seconds(std::int64_t stamp_ns) { return 1e-9 * static_cast<double>(stamp_ns); }

@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "radive/sensor/doppler_wrap.h"
 #include "tests/pipeline/fake_scan_source.h"
 
 namespace radive {
@@ -53,6 +56,24 @@ TEST(DopplerSignSource, TurnsTheWrongSign) {
   EXPECT_TRUE(source.is_decided());
   EXPECT_THAT(source.evidence(), HasSubstr("Doppler sign -1"));
   EXPECT_THAT(source.evidence(), HasSubstr("-8.00 m/s over 100 moving of the first 100 scans"));
+}
+
+// Two spans of 3.866 m/s make 8 m/s: what is left of it says nothing by itself.
+TEST(DopplerSignSource, TurnsTheWrongSignOfDopplerThatWraps) {
+  std::vector<RadarScan> scans = StaticScans(20, kForward, -1.0);
+  SensorOptions sensor;
+  sensor.doppler_span = 3.866;
+  for (RadarScan& scan : scans) {
+    for (RadarReturn& ret : scan.returns) {
+      ret.doppler = WrapDoppler(ret.doppler, sensor.doppler_span);
+    }
+  }
+  FakeScanSource inner(scans);
+  DopplerSignSource source(&inner, sensor);
+  RadarScan scan;
+  ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
+  EXPECT_TRUE(source.is_decided()) << source.evidence();
+  EXPECT_EQ(source.sign(), -1.0);
 }
 
 TEST(DopplerSignSource, KeepsTheRightSign) {

@@ -73,6 +73,36 @@ std::optional<int> ChooseTopic(const std::vector<MessageTopic>& topics,
   return std::nullopt;
 }
 
+// a + b - c. Without signs in between: hostile stamps lie further apart than there are numbers.
+std::int64_t Shifted(std::int64_t a, std::int64_t b, std::int64_t c) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b) -
+                                   static_cast<std::uint64_t>(c));
+}
+
+bool IsTrigger(const MessageTopic& topic) {
+  return (topic.type == "std_msgs/Header" || topic.type == "std_msgs/msg/Header") &&
+         IsRosEncoding(topic);
+}
+
+// The topic with triggers that `wanted` names, or the only one; -1 when there is none, or several.
+// Nothing, with the reason in `error`, when the named one is not there.
+std::optional<int> ChooseTrigger(const std::vector<MessageTopic>& topics,
+                                 const std::string& wanted,
+                                 std::string* error) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < topics.size(); ++i) {
+    if (IsTrigger(topics[i]) && (wanted.empty() || topics[i].name == wanted)) {
+      found.push_back(static_cast<int>(i));
+    }
+  }
+  if (wanted.empty() || wanted == "none")
+    return wanted.empty() && found.size() == 1 ? found[0] : -1;
+  if (!found.empty()) return found.front();
+  *error = "has no triggers (std_msgs/Header) on input.trigger_topic " + Quoted(wanted) +
+           "; it has: " + NamesOf(topics);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::unique_ptr<BagSource> BagSource::Open(const std::filesystem::path& path,
@@ -97,15 +127,29 @@ std::unique_ptr<BagSource> BagSource::Create(std::unique_ptr<MessageSource> bag,
     for (const std::string& warning : bag->TakeWarnings()) *error += "; " + warning;
     return nullptr;
   }
-  bag->Select({*topic});
-  return std::unique_ptr<BagSource>(new BagSource(std::move(bag), *topic, place, options));
+  const std::optional<int> trigger = ChooseTrigger(bag->topics(), options.trigger_topic, &reason);
+  if (!trigger) {
+    *error = place + ": " + reason;
+    return nullptr;
+  }
+  std::vector<int> selected = {*topic};
+  if (*trigger >= 0) selected.push_back(*trigger);
+  bag->Select(selected);
+  return std::unique_ptr<BagSource>(
+      new BagSource(std::move(bag), *topic, *trigger, place, options));
 }
 
 BagSource::BagSource(std::unique_ptr<MessageSource> bag,
                      int topic,
+                     int trigger_topic,
                      std::string place,
                      const InputOptions& options)
-    : bag_(std::move(bag)), topic_(topic), place_(std::move(place)), converter_(options) {}
+    : bag_(std::move(bag)),
+      topic_(topic),
+      trigger_topic_(trigger_topic),
+      is_trigger_set_(trigger_topic >= 0 && !options.trigger_topic.empty()),
+      place_(std::move(place)),
+      converter_(options) {}
 
 std::string BagSource::Description() const {
   return bag_->Description() + ", topic " + NameOf(topic());
@@ -123,6 +167,7 @@ SourceFacts BagSource::Facts() const {
   facts.place = place_ + ", topic " + NameOf(topic());
   if (stamp_origin_ == StampOrigin::kHeader) facts.stamp_origin = "header stamps";
   if (stamp_origin_ == StampOrigin::kRecord) facts.stamp_origin = "times of recording";
+  if (stamp_origin_ == StampOrigin::kTrigger) facts.stamp_origin = "triggers " + TriggerName();
   facts.fields = converter_.Summaries();
   return facts;
 }
@@ -162,11 +207,18 @@ ScanSource::Status BagSource::ReadMessage(bool needs_returns, Stamped* stamped) 
       return Status::kError;
     }
     if (status == MessageSource::Status::kEnd) return Status::kEnd;
+    if (message.topic == trigger_topic_) {
+      std::int64_t stamp_ns = 0;
+      const MessageTopic& trigger = bag_->topics()[static_cast<std::size_t>(trigger_topic_)];
+      if (ReadPointCloudStamp(message.payload, trigger, &stamp_ns)) trigger_ns_ = stamp_ns;
+      continue;
+    }
     ++num_messages_;
     stamped->scan = RadarScan();
     stamped->scan.place =
         place_ + ": message " + std::to_string(num_messages_) + " of " + topic().name;
     stamped->record_ns = message.record_ns;
+    stamped->trigger_ns = std::exchange(trigger_ns_, std::nullopt);
     if (ReadPointCloudStamp(message.payload, topic(), &stamped->header_ns)) break;
     counted_.Add("damaged messages in " + place_,
                  stamped->scan.place + ": cut off or not serialised as " + topic().encoding +
@@ -175,8 +227,16 @@ ScanSource::Status BagSource::ReadMessage(bool needs_returns, Stamped* stamped) 
   return needs_returns ? ReadReturns(message, &stamped->scan) : Status::kScan;
 }
 
+const std::string& BagSource::TriggerName() const {
+  return bag_->topics()[static_cast<std::size_t>(trigger_topic_)].name;
+}
+
 // Looks at the first messages: reads until two header stamps differ.
 void BagSource::ChooseStamps() {
+  if (is_trigger_set_) {
+    stamp_origin_ = StampOrigin::kTrigger;
+    return;
+  }
   stamp_origin_ = StampOrigin::kRecord;
   while (held_back_.size() < kMessagesLookedAt && stamp_origin_ == StampOrigin::kRecord) {
     Stamped stamped;
@@ -190,10 +250,41 @@ void BagSource::ChooseStamps() {
   if (held_back_.empty()) return;
   const std::int64_t stamp_ns = held_back_.front().header_ns;
   if (held_back_.size() == 1 && stamp_ns != 0) stamp_origin_ = StampOrigin::kHeader;
-  if (stamp_origin_ == StampOrigin::kRecord) {
-    warnings_.push_back(place_ + ": the header stamps of " + topic().name + " are all " +
-                        FormatStamp(stamp_ns) + "; the times of recording are taken instead");
+  if (stamp_origin_ != StampOrigin::kRecord) return;
+  const bool has_triggers =
+      std::any_of(held_back_.begin(), held_back_.end(), [](const Stamped& stamped) {
+        return stamped.trigger_ns.has_value();
+      });
+  if (has_triggers) stamp_origin_ = StampOrigin::kTrigger;
+  warnings_.push_back(place_ + ": the header stamps of " + topic().name + " are all " +
+                      FormatStamp(stamp_ns) + "; the " +
+                      (has_triggers ? "stamps of the triggers " + TriggerName()
+                                    : std::string("times of recording")) +
+                      " are taken instead");
+}
+
+bool BagSource::SetStamp(const Stamped& stamped, RadarScan* scan) {
+  switch (stamp_origin_) {
+    case StampOrigin::kTrigger:
+      if (stamped.trigger_ns) {
+        record_to_trigger_ns_ = Shifted(*stamped.trigger_ns, 0, stamped.record_ns);
+        has_had_trigger_ = true;
+      }
+      scan->stamp_ns = Shifted(stamped.record_ns, record_to_trigger_ns_, 0);
+      if (stamped.trigger_ns || !has_had_trigger_) break;
+      counted_.Add("scans without a trigger of their own in " + place_,
+                   scan->place + ": no trigger on " + TriggerName() +
+                       " since the scan before; stamped by the time of recording");
+      break;
+    case StampOrigin::kRecord:
+      scan->stamp_ns = stamped.record_ns;
+      break;
+    case StampOrigin::kHeader:
+    case StampOrigin::kUnknown:
+      scan->stamp_ns = stamped.header_ns;
+      break;
   }
+  return stamp_origin_ != StampOrigin::kTrigger || has_had_trigger_;
 }
 
 ScanSource::Status BagSource::Advance(bool needs_returns, RadarScan* scan) {
@@ -215,7 +306,12 @@ ScanSource::Status BagSource::Advance(bool needs_returns, RadarScan* scan) {
     }
     for (std::string& warning : counted_.Take()) warnings_.push_back(std::move(warning));
     *scan = std::move(stamped.scan);
-    scan->stamp_ns = stamp_origin_ == StampOrigin::kRecord ? stamped.record_ns : stamped.header_ns;
+    if (!SetStamp(stamped, scan)) {
+      counted_.Add("scans before the first trigger in " + place_,
+                   scan->place + ": recorded before the first trigger on " + TriggerName() +
+                       "; it is passed over");
+      continue;
+    }
     if (!last_ns_ || scan->stamp_ns > *last_ns_) {
       last_ns_ = scan->stamp_ns;
       return Status::kScan;

@@ -21,9 +21,12 @@ namespace radive {
 
 // The point clouds (sensor_msgs PointCloud2 or PointCloud) on one topic of a bag as scans.
 //
-// The stamp of a scan is its header's; where these are 0 or do not change, it is the time of
-// recording, with a warning. Of scans with the same stamp the first is kept, and one that is
-// earlier than the scan before it is passed over; both are counted in a warning.
+// The stamp of a scan is its header's. Where these are 0 or do not change, or input.trigger_topic
+// says so, it is that of the last trigger that was recorded before the scan; a scan without one of
+// its own is as much later than the scan before as it was recorded later. Without triggers it is
+// the time of recording. Either comes with a warning. Of scans with the same stamp the first is
+// kept, and one that is earlier than the scan before it is passed over; both are counted in a
+// warning.
 class BagSource : public ScanSource {
  public:
   // `options` must be valid; input.topic names the topic, and may be empty when the bag has one
@@ -47,17 +50,19 @@ class BagSource : public ScanSource {
   SourceFacts Facts() const override;
 
  private:
-  enum class StampOrigin { kUnknown, kHeader, kRecord };
+  enum class StampOrigin { kUnknown, kHeader, kRecord, kTrigger };
 
   // A scan whose stamp is not chosen yet.
   struct Stamped {
     RadarScan scan;
     std::int64_t header_ns = 0;
     std::int64_t record_ns = 0;
+    std::optional<std::int64_t> trigger_ns;
   };
 
   BagSource(std::unique_ptr<MessageSource> bag,
             int topic,
+            int trigger_topic,
             std::string place,
             const InputOptions& options);
 
@@ -65,10 +70,15 @@ class BagSource : public ScanSource {
   Status ReadMessage(bool needs_returns, Stamped* stamped);
   Status ReadReturns(const Message& message, RadarScan* scan);
   void ChooseStamps();
+  // False for a scan that comes before the first trigger.
+  bool SetStamp(const Stamped& stamped, RadarScan* scan);
+  const std::string& TriggerName() const;
   const MessageTopic& topic() const { return bag_->topics()[static_cast<std::size_t>(topic_)]; }
 
   const std::unique_ptr<MessageSource> bag_;
   const int topic_;
+  const int trigger_topic_;  // -1: none
+  const bool is_trigger_set_;
   const std::string place_;
   PointConverter converter_;
   CountedWarnings counted_;
@@ -77,7 +87,10 @@ class BagSource : public ScanSource {
   StampOrigin stamp_origin_ = StampOrigin::kUnknown;
   std::deque<Stamped> held_back_;
   Status status_after_held_back_ = Status::kScan;
-  std::optional<std::int64_t> last_ns_;  // stamp of the scan before
+  std::optional<std::int64_t> last_ns_;     // stamp of the scan before
+  std::optional<std::int64_t> trigger_ns_;  // read, and not taken by a scan yet
+  std::int64_t record_to_trigger_ns_ = 0;   // of the last scan that had a trigger
+  bool has_had_trigger_ = false;
 };
 
 }  // namespace radive

@@ -10,10 +10,24 @@
 #include <tuple>
 #include <utility>
 
+#include "radive/io/bag/checksum.h"
+
 namespace radive {
 namespace {
 
 std::string AtByte(std::uint64_t position) { return "at byte " + std::to_string(position); }
+
+// Whether the wanted ones of the messages at these offsets are at least half of the bytes of a
+// chunk: each reaches up to the next.
+bool MostIsWanted(std::vector<std::pair<std::uint64_t, bool>> places, std::uint64_t size) {
+  std::sort(places.begin(), places.end());
+  std::uint64_t wanted = 0;
+  for (std::size_t i = 0; i < places.size() && places[i].first < size; ++i) {
+    const std::uint64_t end = i + 1 < places.size() ? std::min(places[i + 1].first, size) : size;
+    if (places[i].second) wanted += end - places[i].first;
+  }
+  return wanted >= size / 2;
+}
 
 }  // namespace
 
@@ -155,7 +169,21 @@ std::unique_ptr<ChunkedBagReader::Content> ChunkedBagReader::Unpack(std::size_t 
              std::to_string(content->unpacked.size()));
   }
   content->bytes = std::make_unique<MemoryFile>(file_->name(), content->unpacked);
+  CheckCrc(chunk, header, content->bytes.get());
   return content;
+}
+
+void ChunkedBagReader::CheckCrc(std::size_t chunk,
+                                const ChunkHeader& header,
+                                RandomAccessFile* bytes) {
+  // What is cut has been warned of.
+  if (!header.crc || bytes->size() != header.size) return;
+  if (!checked_.insert(chunks_[chunk].position).second) return;
+  const std::optional<std::uint32_t> crc = Crc32(bytes);
+  if (!crc || *crc == *header.crc) return;
+  Warn("chunks with a wrong checksum",
+       "the chunk " + AtByte(chunks_[chunk].position) +
+           " is not what its checksum says; it is read all the same");
 }
 
 void ChunkedBagReader::MakeRoom() {
@@ -185,17 +213,20 @@ ChunkedBagReader::Content* ChunkedBagReader::Open(std::size_t chunk) {
 // Puts the wanted messages of a chunk into the queue.
 void ChunkedBagReader::Queue(std::size_t chunk) {
   std::vector<Entry> entries;
+  std::vector<std::pair<std::uint64_t, bool>> places;  // of all messages, and whether it is wanted
   const MessageVisitor visit =
       [&](std::uint32_t connection, std::int64_t record_ns, std::uint64_t offset) {
         const auto topic = topic_of_.find(connection);
-        if (topic == topic_of_.end() || !is_wanted_[static_cast<std::size_t>(topic->second)])
-          return;
-        entries.push_back({record_ns, chunk, offset});
+        const bool is_wanted =
+            topic != topic_of_.end() && is_wanted_[static_cast<std::size_t>(topic->second)];
+        if (is_wanted) entries.push_back({record_ns, chunk, offset});
+        places.emplace_back(offset, is_wanted);
       };
   ChunkHeader header;
   if (!HeaderOf(chunk, &header)) return;
   if (!VisitIndex(header, visit)) {
     entries.clear();
+    places.clear();
     Content* const content = Open(chunk);
     if (content == nullptr) return;
     const std::uint64_t end = VisitMessages(content->bytes.get(), visit);
@@ -204,6 +235,10 @@ void ChunkedBagReader::Queue(std::size_t chunk) {
            "the chunk " + AtByte(chunks_[chunk].position) + " is damaged or cut at its byte " +
                std::to_string(end) + "; the messages before are read");
     }
+  }
+  if (header.crc && header.compression == Compression::kNone &&
+      MostIsWanted(std::move(places), header.size)) {
+    if (Content* const content = Open(chunk)) CheckCrc(chunk, header, content->bytes.get());
   }
   for (const Entry& entry : entries) {
     queue_.push_back(entry);

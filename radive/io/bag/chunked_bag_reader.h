@@ -8,9 +8,11 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "radive/io/bag/compression.h"
@@ -27,7 +29,9 @@ namespace radive {
 // without wanted messages are not read beyond their index, and out of chunks without compression
 // only the wanted messages are read. Few chunks are in memory at a time (kCacheBytes).
 //
-// Damage is passed over with a warning: a message, the rest of a chunk.
+// Damage is passed over with a warning: a message, the rest of a chunk. A chunk whose checksum is
+// wrong is read all the same, with a warning; that of a chunk without compression is looked at
+// where at least half of its bytes are wanted, for it takes all of them.
 class ChunkedBagReader : public MessageSource {
  public:
   void Select(const std::vector<int>& topics) final;
@@ -49,6 +53,7 @@ class ChunkedBagReader : public MessageSource {
     std::uint64_t stored_size = 0;     // [bytes], what of it is in the file
     std::uint64_t size = 0;            // without compression [bytes]
     std::uint64_t index_position = 0;  // behind the chunk; 0: the file ends in the chunk
+    std::optional<std::uint32_t> crc;  // CRC-32 of what it unpacks to, where the file has it
   };
 
   // Takes a connection, a time, and the place of a message from the start of its chunk.
@@ -125,6 +130,8 @@ class ChunkedBagReader : public MessageSource {
   std::unique_ptr<Content> Unpack(std::size_t chunk, const ChunkHeader& header);
   void MakeRoom();
   void Queue(std::size_t chunk);
+  // Warns when the bytes of a chunk, all of them, are not what the checksum says; once for each.
+  void CheckCrc(std::size_t chunk, const ChunkHeader& header, RandomAccessFile* bytes);
   bool SpendUnpacking(std::uint64_t size);
 
   const std::unique_ptr<RandomAccessFile> file_;
@@ -136,6 +143,7 @@ class ChunkedBagReader : public MessageSource {
   std::vector<Entry> queue_;                         // heap of the messages of the opened chunks
   std::list<std::unique_ptr<Content>> cache_;        // the one used last is in front
   std::unordered_map<std::size_t, std::uint64_t> bytes_given_;  // of payload, by chunk
+  std::unordered_set<std::uint64_t> checked_;                   // chunks, by position
   std::uint64_t unpacked_bytes_ = 0;
   std::string buffer_;
 };

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radive/io/bag/byte_reader.h"
+#include "radive/io/bag/checksum.h"
 #include "radive/io/text_lines.h"
 
 namespace radive {
@@ -94,6 +95,16 @@ bool McapReader::ReadSummary(std::string* reason) {
   if (position == 0) {
     *reason = "the file has no summary";
     return false;
+  }
+  reader.U64();  // where its offsets are
+  if (const std::uint32_t crc = reader.U32(); crc != 0 && position < size - kFooter) {
+    // Up to the checksum itself, at the end of the footer.
+    constexpr std::uint64_t kBehind = 4 + kMagic.size();
+    FilePart checked(file(), position, size - kBehind - position);
+    if (Crc32(&checked) != crc) {
+      *reason = "the summary is not what its checksum says";
+      return false;
+    }
   }
   for (Record record; position < size - kFooter; position = record.end()) {
     const bool is_there = ReadRecord(file(), position, &record) && record.end() <= size - kFooter;
@@ -238,7 +249,8 @@ bool McapReader::ReadChunkHeader(std::uint64_t position, ChunkHeader* header, st
   ByteReader reader(*head);
   reader.Bytes(16);
   header->size = reader.U64();
-  reader.U32();
+  const std::uint32_t crc = reader.U32();
+  if (crc != 0) header->crc = crc;  // 0: there is none
   const std::uint32_t name_size = reader.U32();
   if (name_size > kLongestName) return false;
   const std::uint64_t name_position = record.data_position + kHead;

@@ -15,7 +15,9 @@
 namespace radive {
 
 // MCAP file, chunks plain or packed with lz4 or zstd, or no chunks at all. With its summary, or
-// without it: of a file that was cut off, all that is there is read, up to the break.
+// without it: of a file that was cut off, all that is there is read, up to the break. Checksums of
+// the chunks and of the summary are looked at, that of the data as a whole is not: it would take
+// reading the whole file.
 //
 // Source: mcap.dev/spec.
 class McapReader : public ChunkedBagReader {

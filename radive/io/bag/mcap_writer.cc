@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "radive/io/bag/checksum.h"
 #include "radive/io/bag/point_cloud_encoding.h"
 #include "radive/io/point_table.h"
 
@@ -88,10 +89,9 @@ void McapWriter::CloseChunk() {
   const std::string packed = Compress(options_.compression, chunk_);
   const std::string name =
       options_.compression == Compression::kNone ? "" : NameOf(options_.compression);
-  // A checksum of 0 means that there is none.
   file_->Append(Record(0x06,
-                       Time(chunk_start_ns_) + Time(chunk_end_ns_) + U64(chunk_.size()) + U32(0) +
-                           Sized(name) + U64(packed.size()) + packed));
+                       Time(chunk_start_ns_) + Time(chunk_end_ns_) + U64(chunk_.size()) +
+                           U32(Crc32(chunk_)) + Sized(name) + U64(packed.size()) + packed));
   const std::uint64_t index_position = file_->size();
   std::string places;
   for (const auto& [channel, entries] : index_) {
@@ -126,13 +126,18 @@ std::string McapWriter::Statistics() const {
 bool McapWriter::Close(std::string* error) {
   if (!index_.empty()) CloseChunk();
   file_->Append(Record(0x0F, U32(0)));  // end of the data, without a checksum
-  const std::uint64_t summary = options_.index ? file_->size() : 0;
+  // A checksum of 0 means that there is none.
+  const std::uint64_t position = options_.index ? file_->size() : 0;
+  std::string summary;
   if (options_.index) {
-    for (const Channel& channel : channels_) file_->Append(channel.records);
-    for (const std::string& chunk : chunk_index_) file_->Append(chunk);
-    file_->Append(Statistics());
+    for (const Channel& channel : channels_) summary += channel.records;
+    for (const std::string& chunk : chunk_index_) summary += chunk;
+    summary += Statistics();
+    file_->Append(summary);
   }
-  file_->Append(Record(0x02, U64(summary) + U64(0) + U32(0)));  // footer
+  std::string footer = Record(0x02, U64(position) + U64(0) + U32(0));
+  footer.resize(footer.size() - 4);
+  file_->Append(footer + U32(options_.index ? Crc32(summary + footer) : 0));
   file_->Append(kMagic);
   return file_->Close(error);
 }

@@ -3,7 +3,9 @@
 
 #include "radive/io/bag/ros_message_reader.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 namespace radive {
 
@@ -15,6 +17,7 @@ RosMessageReader::RosMessageReader(std::string_view payload, Encoding encoding)
   const int kind = payload.size() < 4 || payload[0] != 0 ? -1 : payload[1];
   failed_ = kind != 0 && kind != 1 && kind != 6 && kind != 7;
   is_big_endian_ = kind % 2 == 0;
+  if (kind >= 6) largest_alignment_ = 4;
   body_ = failed_ ? std::string_view() : payload.substr(4);
 }
 
@@ -29,13 +32,22 @@ std::string_view RosMessageReader::Bytes(std::uint64_t count) {
 }
 
 std::uint64_t RosMessageReader::Integer(std::size_t size) {
-  if (encoding_ == Encoding::kCdr) Bytes((size - position_ % size) % size);
+  const std::size_t alignment = std::min(size, largest_alignment_);
+  if (encoding_ == Encoding::kCdr) Bytes((alignment - position_ % alignment) % alignment);
   const std::string_view bytes = Bytes(size);
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < bytes.size(); ++i) {
     const std::size_t shift = 8 * (is_big_endian_ ? bytes.size() - 1 - i : i);
     value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[i])) << shift;
   }
+  return value;
+}
+
+double RosMessageReader::F64() {
+  const std::uint64_t bits = Integer(sizeof(double));
+  double value = 0.0;
+  static_assert(sizeof(value) == sizeof(bits));
+  std::memcpy(&value, &bits, sizeof(value));
   return value;
 }
 

@@ -29,7 +29,9 @@ class RosMessageReader {
 
   Header ReadHeader();
   std::uint8_t U8() { return static_cast<std::uint8_t>(Integer(1)); }
+  std::uint16_t U16() { return static_cast<std::uint16_t>(Integer(2)); }
   std::uint32_t U32() { return static_cast<std::uint32_t>(Integer(4)); }
+  double F64();
   std::string_view String();
   std::string_view Bytes(std::uint64_t count);
 
@@ -43,6 +45,7 @@ class RosMessageReader {
   const Encoding encoding_;
   std::string_view body_;  // what positions and alignment are counted in
   bool is_big_endian_ = false;
+  std::size_t largest_alignment_ = 8;
   std::size_t position_ = 0;
   bool failed_ = false;
 };

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +86,9 @@ struct BagForm {
   bool index = true;
   std::size_t chunk_size = 1000;  // [bytes]: some chunks for a few scans
 };
+
+// For the names of parametrised tests, which would show the object's bytes.
+inline void PrintTo(const BagForm& form, std::ostream* stream) { *stream << form.name; }
 
 inline std::vector<BagForm> AllBagForms() {
   return {

@@ -217,5 +217,72 @@ TEST(BagSource, CloudsWithoutPositionsAreAnError) {
               AllOf(HasSubstr("a.bag: message 1 of /radar"), HasSubstr("doppler")));
 }
 
+MessageTopic Trigger(const std::string& name) { return {name, "std_msgs/Header", "ros1", {}}; }
+
+std::string TriggerPayload(std::int64_t stamp_ns) {
+  std::string payload;
+  AppendLittleEndian(std::uint32_t{1}, &payload);
+  AppendLittleEndian(static_cast<std::uint32_t>(stamp_ns / kSecond), &payload);
+  AppendLittleEndian(static_cast<std::uint32_t>(stamp_ns % kSecond), &payload);
+  AppendLittleEndian(std::uint32_t{0}, &payload);
+  return payload;
+}
+
+// Clouds without stamps, recorded a tenth of a second after the triggers that tell theirs, on
+// another clock. The first trigger has no cloud, and the third cloud no trigger.
+std::unique_ptr<FakeBag> BagWithTriggers(std::int64_t header_ns) {
+  auto bag =
+      std::make_unique<FakeBag>(std::vector<MessageTopic>{Cloud("/radar"), Trigger("/trigger")});
+  const std::int64_t tenth = kSecond / 10;
+  bag->Add(1, 100 * kSecond, TriggerPayload(7 * kSecond));
+  bag->Add(1, 101 * kSecond, TriggerPayload(8 * kSecond + 5));
+  bag->Add(0, 101 * kSecond + tenth, Payload(header_ns, 1.0));
+  bag->Add(1, 102 * kSecond, TriggerPayload(9 * kSecond));
+  bag->Add(0, 102 * kSecond + tenth, Payload(header_ns == 0 ? 0 : header_ns + 1, 2.0));
+  bag->Add(0, 103 * kSecond + tenth, Payload(header_ns == 0 ? 0 : header_ns + 2, 3.0));
+  return bag;
+}
+
+TEST(BagSource, CloudsWithoutStampsHaveThoseOfTheirTriggers) {
+  const auto source = OpenFake(BagWithTriggers(0));
+  EXPECT_EQ(source->NumScans(), 3);
+  EXPECT_THAT(testing::Stamps(testing::ReadAll(source.get())),
+              ElementsAre(8 * kSecond + 5, 9 * kSecond, 10 * kSecond));
+  EXPECT_EQ(source->Facts().stamp_origin, "triggers /trigger");
+  const std::vector<std::string> warnings = source->TakeWarnings();
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_THAT(warnings[0], HasSubstr("the stamps of the triggers /trigger are taken instead"));
+  EXPECT_THAT(warnings[1], HasSubstr("message 3 of /radar: no trigger on /trigger since"));
+}
+
+TEST(BagSource, TriggersAreNotNeededWhereCloudsHaveStamps) {
+  EXPECT_THAT(testing::Stamps(testing::ReadAll(OpenFake(BagWithTriggers(50)).get())),
+              ElementsAre(50, 51, 52));
+  InputOptions options;
+  options.trigger_topic = "/trigger";
+  EXPECT_EQ(testing::Stamps(testing::ReadAll(OpenFake(BagWithTriggers(50), options).get())).at(0),
+            8 * kSecond + 5)
+      << "but they are taken where they are asked for";
+  options.trigger_topic = "none";
+  EXPECT_EQ(testing::Stamps(testing::ReadAll(OpenFake(BagWithTriggers(0), options).get())).at(0),
+            101 * kSecond + kSecond / 10);
+  options.trigger_topic = "/radar";
+  std::string error;
+  EXPECT_EQ(BagSource::Create(BagWithTriggers(0), "a.bag", options, &error), nullptr);
+  EXPECT_THAT(error,
+              HasSubstr("has no triggers (std_msgs/Header) on input.trigger_topic '/radar'"));
+}
+
+TEST(BagSource, ScansBeforeTheFirstTriggerArePassedOver) {
+  auto bag =
+      std::make_unique<FakeBag>(std::vector<MessageTopic>{Cloud("/radar"), Trigger("/trigger")});
+  bag->Add(0, 1, Payload(0));
+  bag->Add(1, 2, TriggerPayload(7 * kSecond));
+  bag->Add(0, 3, Payload(0));
+  const auto source = OpenFake(std::move(bag));
+  EXPECT_THAT(testing::Stamps(testing::ReadAll(source.get())), ElementsAre(7 * kSecond));
+  EXPECT_THAT(source->TakeWarnings().back(), HasSubstr("recorded before the first trigger"));
+}
+
 }  // namespace
 }  // namespace radive

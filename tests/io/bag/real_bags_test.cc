@@ -29,7 +29,7 @@ std::string ErrorOf(const std::string& place, InputOptions::Format format) {
   return error;
 }
 
-TEST(RealBags, TiDemoHasItsScansAndNoStampsOfItsOwn) {
+TEST(RealBags, TiDemoHasItsScansAndTheStampsOfItsTriggers) {
   RADIVE_SKIP_WITHOUT("ti-iwr6843-rio-demo");
   const std::string path =
       (SharedData() / "ti-iwr6843-rio-demo" / "ti_mmwave_rospkg_demo.bag").string();
@@ -41,7 +41,12 @@ TEST(RealBags, TiDemoHasItsScansAndNoStampsOfItsOwn) {
   EXPECT_EQ(source->NumScans(), 412);
   const std::vector<RadarScan> scans = testing::ReadAll(source.get());
   ASSERT_EQ(scans.size(), 412u);
-  EXPECT_THAT(source->TakeWarnings(), ElementsAre(HasSubstr("the times of recording are taken")));
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre(HasSubstr(
+                  "the stamps of the triggers /sensor_platform/radar_right/trigger are taken")));
+  // Of the two triggers before the first scan the later one, which is as long before it (27 ms, by
+  // the times of recording) as all others before theirs.
+  EXPECT_NEAR(1e-9 * static_cast<double>(scans[0].stamp_ns), 1631895354.018503, 1e-5);
   std::size_t num_returns = 0;
   std::size_t least = 1000;
   std::size_t most = 0;
@@ -55,7 +60,10 @@ TEST(RealBags, TiDemoHasItsScansAndNoStampsOfItsOwn) {
   EXPECT_EQ(least, 19u);
   EXPECT_EQ(most, 87u);
   EXPECT_NEAR(static_cast<double>(num_returns) / 412.0, 43.0, 0.5);
-  // The trigger runs at 10.24 Hz.
+  // The trigger runs at 10.24 Hz, and evenly.
+  for (std::size_t k = 1; k < scans.size(); ++k) {
+    EXPECT_NEAR(static_cast<double>(scans[k].stamp_ns - scans[k - 1].stamp_ns), 97.68e6, 0.1e6);
+  }
   const double seconds = 1e-9 * static_cast<double>(scans.back().stamp_ns - scans[0].stamp_ns);
   EXPECT_NEAR(seconds / 411.0, 0.0977, 0.0005);
   EXPECT_TRUE(scans[0].has_doppler);
