@@ -12,7 +12,7 @@ MOST_OF_A_LINE = 1500  # poses: more cannot be seen, and the page carries them
 
 
 def widen(axes):
-    """A straight drive is no line without height: the shorter side gets a third of the longer one."""
+    """A straight drive is no line without height: the shorter side gets a third of the longer."""
     x, y = axes.get_xlim(), axes.get_ylim()
     least = max(x[1] - x[0], y[1] - y[0]) / 3
     for limits, set_limits in ((x, axes.set_xlim), (y, axes.set_ylim)):
@@ -106,7 +106,10 @@ def ape_figure(variants):
     if not variants:
         return None
     figure, both = new_figure(6.4, max(2.2, 1.1 + 0.42 * len(variants)), ncols=2, sharey=True)
-    units = (("translation", 1.0, "APE translation [m]"), ("rotation", 180 / np.pi, "APE rotation [°]"))
+    units = (
+        ("translation", 1.0, "APE translation [m]"),
+        ("rotation", 180 / np.pi, "APE rotation [°]"),
+    )
     for axes, (attribute, factor, label) in zip(both, units):
         values = [
             factor * np.concatenate([getattr(errors, attribute) for errors in all_errors])

@@ -71,7 +71,8 @@ def navigation(content):
         for section in content.sections[:30]
     ]
     button = '<button id="theme" type="button" aria-label="Change light and dark" hidden></button>'
-    return f'<nav class="bar" id="top" aria-label="Sections"><div>{"".join(links)}{button}</div></nav>'
+    bar = "".join([*links, button])
+    return f'<nav class="bar" id="top" aria-label="Sections"><div>{bar}</div></nav>'
 
 
 def header(content):
@@ -80,7 +81,8 @@ def header(content):
         for name, value in content.facts
     )
     lead = f'<p class="lead">{html.escape(content.lead)}</p>'
-    return f'<header><h1>{html.escape(content.title)}</h1>{lead}<ul class="facts">{facts}</ul></header>'
+    title = html.escape(content.title)
+    return f'<header><h1>{title}</h1>{lead}<ul class="facts">{facts}</ul></header>'
 
 
 def viewer_section(scenes):
