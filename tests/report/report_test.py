@@ -261,6 +261,27 @@ class CommandTest(ScratchTest):
         self.assertNotRegex(page, r"""(?:src|href)=["'](?:https?:)?//""")
         self.assertIn("n/a", page)
 
+    def test_a_study_of_which_nothing_finished(self):
+        row = ["drive", "v", "0", "crashed", "</script><b>signal 11", *[""] * 12]
+        made_study.write_csv(self.scratch / "results.csv", made_study.HEADER, [row])
+        status, _, error = self.run_command(self.scratch)
+        self.assertEqual((status, error), (0, ""))
+        text = (self.scratch / "report" / "report.md").read_text()
+        self.assertIn("- runs finished: 0 of 1", text)
+        self.assertIn("No run to draw: crashed.", text)
+        page = (self.scratch / "report" / "report.html").read_text()
+        self.assertIn("&lt;/script&gt;&lt;b&gt;signal 11", page)
+        self.assertNotIn("viewer-data", page)
+
+    def test_a_run_without_ground_truth_and_map(self):
+        write_run(self.scratch / "run", circle())
+        (self.scratch / "run" / "map.ply").unlink()
+        (self.scratch / "run" / "timing.csv").unlink()
+        self.assertEqual(self.run_command(self.scratch / "run")[::2], (0, ""))
+        text = (self.scratch / "run" / "report" / "report.md").read_text()
+        self.assertIn("no ground truth", text)
+        self.assertEqual(text.count("!["), 1, "the trajectory alone")
+
     def test_single_run_with_a_reference(self):
         truth = circle()
         estimate = truth.copy()
