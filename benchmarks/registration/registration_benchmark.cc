@@ -9,7 +9,7 @@
 #include "benchmarks/registration/street_scene.h"
 #include "radive/factors/condensed_ndt_cost.h"
 #include "radive/geometry/pose_manifold.h"
-#include "radive/registration/ndt_registration.h"
+#include "radive/registration/registration.h"
 #include "radive/solver/solve.h"
 
 namespace radive {
@@ -158,26 +158,37 @@ BENCHMARK(BM_FiveStepsOneBlockForEachPair)
     ->Arg(1)
     ->Unit(benchmark::kMillisecond);
 
-// As odometry calls it: two associations, planar.
+// As odometry calls it, in the plane. range(1): RegistrationMethod.
 void BM_Register(benchmark::State& state) {
   const bool dense = state.range(0) == 1;
   const StreetScene& scene = GetStreetScene(dense);
   const PairSearch search(scene.submap);
-  RegistrationPriors priors;
-  priors.plane_normal = Eigen::Vector3d::UnitZ();
+  const std::vector<double> weights(scene.returns.size(), 1.0);
+  RegistrationOptions options;
+  options.method = static_cast<RegistrationMethod>(state.range(1));
+  RegistrationInput input;
+  input.scan = &scene.scan;
+  input.search = &search;
+  input.T_prediction = Prediction(scene);
+  input.slack = 0.3;
+  input.priors.plane_normal = Eigen::Vector3d::UnitZ();
+  input.doppler = {&scene.returns, &weights, scene.T_submap_radar0, scene.dt, 0.1};
   RegistrationResult result;
-  for (auto _ : state) {
-    result = RegisterNdt(
-        scene.scan, search, Prediction(scene), 0.3, priors, Pairs(dense), RegistrationOptions());
-  }
+  for (auto _ : state) result = Register(input, Pairs(dense), options);
   if (!result.converged) state.SkipWithError(result.message.c_str());
+  for (const OptionField& field : options.Fields()) {
+    if (field.name == "method") state.SetLabel(field.ToString());
+  }
   state.counters["pairs"] = result.num_pairs;
   state.counters["steps"] = result.num_iterations;
   state.counters["error_cm"] =
       100.0 *
       (result.T_submap_radar.translation - scene.T_submap_radar.translation).head<2>().norm();
 }
-BENCHMARK(BM_Register)->ArgName("dense")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Register)
+    ->ArgNames({"dense", "method"})
+    ->ArgsProduct({{0, 1}, {0, 1, 2, 3, 4, 5}})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace radive

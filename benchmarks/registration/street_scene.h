@@ -20,6 +20,10 @@ struct StreetScene {
   std::vector<Gaussian3> scan;          // radar frame
   std::vector<Gaussian3> submap;
   Rigid3 T_submap_radar;  // true
+
+  std::vector<RadarReturn> returns;  // of the last scan
+  Rigid3 T_submap_radar0;            // of the scan before, true
+  double dt = 0.0;                   // between both [s]
 };
 
 inline StreetScene MakeStreetScene(bool dense) {
@@ -31,12 +35,14 @@ inline StreetScene MakeStreetScene(bool dense) {
   if (dense) ndt.representation = NdtOptions::Representation::kVoxel;
   const SensorOptions sensor;
   StreetScene scene;
+  scene.dt = 1.0 / simulation.rate;
   std::vector<Eigen::Vector3d> submap_points;
   RadarScan scan;
   GroundTruth truth;
   for (int k = 0; simulator.Next(&scan, &truth); ++k) {
     scene.points.clear();
     std::vector<RadarReturn> returns;
+    scene.T_submap_radar0 = scene.T_submap_radar;
     for (std::size_t i = 0; i < scan.returns.size(); ++i) {
       const double range = scan.returns[i].position.norm();
       if (truth.labels[i] == ReturnLabel::kMoving || range > 100.0) continue;
@@ -47,6 +53,7 @@ inline StreetScene MakeStreetScene(bool dense) {
     scene.scan = dense ? GaussiansOfVoxels(scene.points, weights, ndt)
                        : GaussiansOfReturns(returns, weights, sensor, ndt);
     scene.T_submap_radar = truth.T_world_radar;
+    scene.returns = returns;
     if (k + 1 == simulation.frames) break;
     const Eigen::Matrix3d R = truth.T_world_radar.RotationMatrix();
     for (const Eigen::Vector3d& p : scene.points) submap_points.push_back(truth.T_world_radar * p);

@@ -12,14 +12,6 @@
 #include "radive/neural_map/sdf_query.h"
 
 namespace radive {
-namespace {
-
-// A point that so many keyframes did not see is taken down. Neighbours that they did see are part
-// of its field, and stay in the map long after.
-constexpr int kUnseenKeyframes = 2;
-
-}  // namespace
-
 SurfaceRecord::SurfaceRecord(double grid_spacing, double min_support) : min_support_(min_support) {
   if (grid_spacing > 0.0) grid_.emplace(grid_spacing);
 }
@@ -28,7 +20,9 @@ void SurfaceRecord::BeforeKeyframe(const NeuralPoints& map,
                                    const SdfDecoder& decoder,
                                    const Eigen::Vector3d& origin,
                                    int index) {
-  const int unseen = std::min(kUnseenKeyframes, map.options().max_age);
+  // Late, for a place may be seen again; but while the neighbours, which are part of its field, are
+  // in the map.
+  const int unseen = (map.options().max_age + 1) / 2;
   std::vector<int> leaving;
   for (int k = 0; k < map.size(); ++k) {
     const NeuralPoint& point = map.point(k);

@@ -24,8 +24,8 @@ class SurfaceRecord {
   SurfaceRecord(double grid_spacing, double min_support);
 
   // To be called before keyframe `index`, measured from `origin` [m], goes into `map`: takes down
-  // what the last keyframes did not see, and what the map is about to forget for its distance.
-  // Training changes only what keyframes see, so each place is taken down once a visit.
+  // what has not been seen for half of the age at which the map forgets, and what it is about to
+  // forget for its distance. Training changes only what keyframes see.
   void BeforeKeyframe(const NeuralPoints& map,
                       const SdfDecoder& decoder,
                       const Eigen::Vector3d& origin,

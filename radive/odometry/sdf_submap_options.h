@@ -31,7 +31,7 @@ struct SdfSubmapOptions {
   // [-].
   double flatten = 0.0;
 
-  // Whether what is learned is kept for a map of the drive (Odometry::TakeSurfaceRecords), and the
+  // Whether what is learned is kept for a map of the drive (Odometry::TakeSurfaces), and the
   // spacing of its grid [m], 0: none. Not settings: whoever writes maps sets them.
   bool record = false;
   double record_grid_spacing = 0.0;

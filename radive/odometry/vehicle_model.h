@@ -8,7 +8,7 @@
 
 #include "radive/geometry/rigid3.h"
 #include "radive/odometry/motion_options.h"
-#include "radive/registration/ndt_registration.h"
+#include "radive/registration/registration.h"
 
 namespace radive {
 

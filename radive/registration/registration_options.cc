@@ -7,6 +7,11 @@ namespace radive {
 
 std::vector<OptionField> RegistrationOptions::Fields() {
   return {
+      {"method",
+       MakeChoice(&method, {"ndt", "full_ndt", "gicp", "plane_icp", "icp", "doppler_icp"}),
+       "-",
+       "How scan and submap are compared: NDT with bounded or all pairs, or nearest neighbours by "
+       "surface, plane, point, or plane and Doppler."},
       {"normalisation",
        MakeChoice(&normalisation, {"paper", "unit"}),
        "-",
@@ -46,6 +51,15 @@ std::vector<OptionField> RegistrationOptions::Fields() {
                   "rad",
                   "Standard deviation from which a rotation counts as unobserved."}
           .Above(0.0),
+      OptionField{"icp_sigma",
+                  &icp_sigma,
+                  "m",
+                  "ICP methods: standard deviation of a scan point from its point or surface."}
+          .Above(0.0),
+      OptionField{
+          "icp_neighbors", &icp_neighbors, "-", "ICP methods: points that a surface is fitted to."}
+          .AtLeast(3)
+          .AtMost(100),
   };
 }
 

@@ -12,8 +12,19 @@
 
 namespace radive {
 
+// How a scan is aligned with the submap. All have the same inputs, priors, steps and loss.
+enum class RegistrationMethod {
+  kNdt,      // distance-bounded NDT
+  kFullNdt,  // NDT with all pairs
+  kGicp,     // plane to plane
+  kPlaneIcp,
+  kIcp,         // point to point
+  kDopplerIcp,  // point to plane and range rates
+};
+
 // Options of scan-to-submap registration.
 struct RegistrationOptions {
+  RegistrationMethod method = RegistrationMethod::kNdt;
   NdtNormalisation normalisation = NdtNormalisation::kUnit;
   NdtDerivatives derivatives = NdtDerivatives::kAnalytic;
 
@@ -21,7 +32,7 @@ struct RegistrationOptions {
   // without elevation are always registered in the plane.
   bool planar = false;
 
-  int num_associations = 2;              // times that pairs are searched
+  int num_associations = 2;              // times that pairs are searched; ICP: every step
   int max_iterations = 12;               // LM steps after each association
   double step_tolerance = 1e-4;          // a step shorter than this ends it [m and rad together]
   double initial_lm_lambda = 1e-4;       // of H + lambda diag(H)
@@ -32,6 +43,10 @@ struct RegistrationOptions {
   // A direction is degenerate when the scan alone leaves more than this standard deviation in it.
   double degenerate_translation = 0.5;  // [m]
   double degenerate_rotation = 0.05;    // [rad]
+
+  // Of the ICP family.
+  double icp_sigma = 0.5;  // distance of a scan point from its point or surface [m]
+  int icp_neighbors = 10;  // that a surface is fitted to
 
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const { return CheckOptions("registration", *this, error); }

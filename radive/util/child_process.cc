@@ -58,6 +58,7 @@ std::unique_ptr<ChildProcess> ChildProcess::Start(const std::vector<std::string>
                                                   std::string* error) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   return Start(
@@ -117,7 +118,7 @@ bool ChildProcess::HasEnded() {
   return true;
 }
 
-void ChildProcess::Kill() {
+void ChildProcess::Kill() const {
   if (pid_ <= 0 || has_ended_) return;
   kill(-pid_, SIGKILL);  // and what it has started
   kill(pid_, SIGKILL);

@@ -40,7 +40,7 @@ class ChildProcess {
   bool HasEnded();
 
   // Kills it and the processes that it has started.
-  void Kill();
+  void Kill() const;
 
   double Seconds() const;  // since the start, or from start to end [s]
 

@@ -13,6 +13,10 @@ from report.tables import ABSENT, FAILED, Cell, Table, decimals, ranked, rows_of
 SEQUENCES_A_TABLE = 4  # as in the paper: what fits a column of it
 MOST_FAILURES = 100
 PUBLISHED = "†"
+RATIO_NOTES = [
+    "Median ratio of paired runs and its 95 % interval.",
+    "Bold: better, the interval clear of 1; underlined: worse, clear of 1.",
+]
 METRICS = (
     ("ate", "Absolute trajectory error", ("ate_t", "ate_r"), ("ATE_t", "ATE_r"), "m and degrees"),
     ("rpe", "Relative pose error", ("rpe_t", "rpe_r"), ("RPE_t", "RPE_r"), "m and degrees"),
@@ -151,29 +155,44 @@ def comparison_tables(study):
             name,
             caption,
             columns=["ATE_t", "ATE_r"] * len(sequences),
-            groups=[("all" if sequence == "*" else sequence, 2) for sequence in sequences],
+            groups=[(sequence, 2) for sequence in sequences],
             rows=rows_of_columns(labels(study, others), columns),
-            notes=[
-                "Median ratio of paired runs and its 95 % interval.",
-                "Bold: better, the interval clear of 1; underlined: worse, clear of 1.",
-            ],
+            notes=RATIO_NOTES,
         )
 
     first = study.label(study.variants[0])
-    overall = make(["*"], "comparison", f"Compared with {first}, all sequences")
-    if study.sequences == ["*"] or len(study.sequences) == 1:
+    overall = overall_comparison(study, f"Compared with {first}, all sequences", others)
+    if len(study.sequences) == 1:
         return [overall]
-    each = split(study, "comparison_each", f"Compared with {first}, each sequence", make)
-    return [overall, *each]
+    return [overall, *split(study, "comparison_each", f"Compared with {first}, each sequence", make)]
 
 
-def ratio_cell(row):
-    if row is None or math.isnan(number(row.get("ratio"))):
+def overall_comparison(study, caption, others):
+    columns = []
+    for metric in ("ate_t", "ate_r"):
+        rows = [summary_row(study, variant, "*", metric) for variant in others]
+        columns.append([ratio_cell(row) for row in rows])
+        columns.append([ratio_cell(row, "_drives") for row in rows])
+    return Table(
+        "comparison",
+        caption,
+        columns=["ATE_t", "on other drives", "ATE_r", "on other drives"],
+        rows=rows_of_columns(labels(study, others), columns),
+        notes=[*RATIO_NOTES, "On other drives: the interval with drives drawn at random, too."],
+    )
+
+
+def ratio_cell(row, drives=""):
+    """The ratio with its interval or, for `drives`, that interval alone."""
+    ratio = math.nan if row is None else number(row.get("ratio"))
+    if math.isnan(ratio):
         return Cell(FAILED)
-    ratio, low, high = (number(row[name]) for name in ("ratio", "ratio_low", "ratio_high"))
-    note = "" if math.isnan(low) else f"[{decimals(low, 2)}, {decimals(high, 2)}]"
+    low, high = (number(row.get(f"ratio_{end}{drives}")) for end in ("low", "high"))
+    interval = "" if math.isnan(low) else f"[{decimals(low)}, {decimals(high)}]"
     rank = 1 if high < 1 else 2 if low > 1 else 0
-    return Cell(decimals(ratio, 2), rank, note)
+    if drives:
+        return Cell(interval or FAILED, rank)
+    return Cell(decimals(ratio), rank, interval)
 
 
 def spread_tables(study):
@@ -202,7 +221,7 @@ def spread_cell(row):
     if row is None or math.isnan(number(row["median"])):
         return Cell(FAILED)
     median, low, high = (number(row[name]) for name in ("median", "q25", "q75"))
-    return Cell(decimals(median), note=f"({decimals(low, 2)}–{decimals(high, 2)})")
+    return Cell(decimals(median), note=f"({decimals(low)}–{decimals(high)})")
 
 
 def time_tables(study):

@@ -83,17 +83,24 @@ def extraction_figure(run):
     return figure
 
 
+def grid_spacing(vertices_2d):
+    """Of a grid that may be turned (a second radar's): the median distance of neighbours [m]."""
+    some = vertices_2d[:: max(1, len(vertices_2d) // 200)]
+    squared = ((some[:, None] - vertices_2d[None]) ** 2).sum(-1)
+    return float(np.sqrt(np.median(np.min(np.where(squared > 1e-6, squared, np.inf), axis=1))))
+
+
 def slice_figure(run):
     """A horizontal slice through the field, with its zero line."""
     slice_ply = run.ply("sdf_slice.ply")
-    if slice_ply is None or len(slice_ply["x"]) < 10:
+    if slice_ply is None or len(slice_ply["x"]) < 100:
         return None
     points = vertices(slice_ply)
     low, high = window(points, run.estimate[:, 1:3], SLICE_WINDOW)
     points = inside(points, low, high)
-    # The vertices lie on a grid: the smallest step along x is its spacing.
-    steps = np.diff(np.unique(points[:, 0]))
-    spacing = float(np.min(steps[steps > 1e-4]))
+    if len(points) < 20:
+        return None
+    spacing = grid_spacing(points[:, :2])
     index = np.round((points[:, :2] - low) / spacing).astype(int)
     image = np.full(index.max(0)[::-1] + 1, np.nan)
     image[index[:, 1], index[:, 0]] = points[:, 3]

@@ -286,6 +286,20 @@ TEST_F(RadiveBatch, TwoProcessesShareTheWork) {
   EXPECT_EQ(CountLines(ReadFile(In("calls"))), 8);  // no run twice
 }
 
+// What the one that dies has claimed is free again, and the other does it.
+TEST_F(RadiveBatch, OneOfTwoProcessesMayDie) {
+  WriteStudy(std::string(kHead) + kVariants);
+  ASSERT_EQ(Run("alone").code, 0);
+  const pid_t one = Start("both");
+  const pid_t two = testing::StartProgram(RADIVE_BATCH, Arguments("both"), In("log2"));
+  usleep(100000);
+  kill(one, SIGKILL);
+  testing::WaitForProgram(one, In("log_both"));
+  const Outcome outcome = testing::WaitForProgram(two, In("log2"));
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_EQ(Results("both"), Results("alone"));
+}
+
 TEST_F(RadiveBatch, AnInterruptLeavesAStudyToGoOnWith) {
   WriteStudy(std::string(kHead) + kVariants);
   const std::string program = Program("case \"$*\" in */two/*) sleep 60 & wait;; esac");

@@ -14,38 +14,18 @@
 #include "radive/factors/no_slip_factor.h"
 #include "radive/factors/rotation_prior_factor.h"
 #include "radive/factors/translation_prior_factor.h"
-#include "radive/geometry/pose_manifold.h"
 #include "radive/geometry/sqrt_information.h"
-#include "tests/factor_test_utils.h"
+#include "tests/factors/pose_factor_test_utils.h"
 #include "tests/synthetic_scene.h"
 
 namespace radive {
 namespace {
 
-using CostPtr = std::unique_ptr<ceres::CostFunction>;
+using testing::CostPtr;
+using testing::ExpectAutodiffMatchesNumeric;
+using testing::Residuals;
 
 constexpr double kPi = 3.14159265358979323846;
-
-Eigen::VectorXd Residuals(const CostPtr& cost, const Rigid3& T) {
-  const PoseBlock pose = ToPoseBlock(T);
-  const double* blocks[] = {pose.data()};
-  Eigen::VectorXd residuals(cost->num_residuals());
-  EXPECT_TRUE(cost->Evaluate(blocks, residuals.data(), nullptr));
-  return residuals;
-}
-
-// At identity, next to it, and at random poses.
-void ExpectAutodiffMatchesNumeric(const CostPtr& cost) {
-  Random random(11);
-  const PoseManifold manifold;
-  std::vector<Rigid3> poses = {
-      {}, {QuaternionFromRotationVector({1e-8, 1e-8, -1e-8}), {1e-8, -1e-8, 1e-8}}};
-  for (int i = 0; i < 10; ++i) poses.push_back(testing::RandomRigid3(1.5, 5.0, &random));
-  for (const Rigid3& T : poses) {
-    const PoseBlock pose = ToPoseBlock(T);
-    testing::ExpectJacobiansMatchNumeric(*cost, {&manifold}, {pose.data()});
-  }
-}
 
 Eigen::Matrix3d FullCovariance() {
   Eigen::Matrix3d covariance;  // of L = [2 0 0; 1 3 0; -1 2 4]

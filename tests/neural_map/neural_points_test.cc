@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "radive/neural_map/sdf_query.h"
@@ -95,6 +96,32 @@ TEST(NeuralPoints, OldAndFarPointsAreForgottenWithTheirFeatures) {
   EXPECT_EQ(map.feature(0)[2], 42.0);
   EXPECT_EQ(map.At({2.0, 0.1, 0.1}), 0);
   EXPECT_EQ(map.At({1.0, 0.1, 0.1}), -1);
+}
+
+// 100 laps about a block, 100 scans each, with noise and with ghosts that are never seen again.
+TEST(NeuralPoints, LapsDoNotAddUp) {
+  constexpr int kScansPerLap = 100, kLaps = 100;
+  const NeuralMapOptions options;
+  NeuralPoints map(options);
+  Random random(3);
+  int largest_of_first_lap = 0, largest = 0;
+  for (int scan = 0; scan < kLaps * kScansPerLap; ++scan) {
+    const double angle = 2.0 * M_PI * scan / kScansPerLap;
+    const Eigen::Vector3d radar(40.0 * std::cos(angle), 40.0 * std::sin(angle), 0.0);
+    std::vector<Eigen::Vector3d> positions;
+    for (int i = 0; i < 60; ++i) {  // walls to both sides of the street
+      const double at = angle + random.Uniform(-0.5, 0.5), radius = i % 2 == 0 ? 30.0 : 50.0;
+      positions.push_back(Eigen::Vector3d(radius * std::cos(at), radius * std::sin(at), 1.0) +
+                          0.2 * testing::RandomNormal3(&random));
+    }
+    for (int i = 0; i < 6; ++i) positions.push_back(radar + 10.0 * testing::RandomNormal3(&random));
+    map.Prune(radar, scan);
+    map.AddKeyframe(ReturnsAt(positions), scan);
+    largest = std::max(largest, map.size());
+    if (scan == kScansPerLap) largest_of_first_lap = largest;
+  }
+  EXPECT_GT(largest_of_first_lap, 500);
+  EXPECT_LE(largest, 1.2 * largest_of_first_lap);
 }
 
 // Turned and moved as a whole, the map has the same field at the moved places.

@@ -104,6 +104,7 @@ TEST(SurfaceRecord, KeepsWhatTheMapForgetsAndCountsNothingTwice) {
 // Without a call of Finish(): each place once the drive has left it behind.
 TEST(SurfaceRecord, TakesDownWhatTheLastKeyframesDidNotSee) {
   NeuralMapOptions options;
+  options.max_age = 4;
   SdfMapper mapper(options, WellTrained());
   SurfaceRecord record(0.0, 1.0);
   std::vector<std::size_t> sizes;

@@ -13,7 +13,7 @@
 #include <iostream>
 
 #include "radive/ndt/gaussian_builder.h"
-#include "radive/registration/ndt_registration.h"
+#include "radive/registration/registration.h"
 #include "radive/sensor/radar_noise_model.h"
 #include "tests/synthetic_scene.h"
 

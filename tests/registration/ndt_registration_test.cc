@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/registration/ndt_registration.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,8 @@
 #include "radive/io/open_scan_source.h"
 #include "radive/ndt/gaussian_builder.h"
 #include "radive/preprocessing/preprocess.h"
+#include "radive/registration/registration.h"
+#include "tests/registration/street_registration.h"
 #include "tests/shared_data.h"
 #include "tests/synthetic_scene.h"
 
@@ -19,41 +19,10 @@ namespace {
 
 constexpr double kSigma = 0.05;  // noise of the synthetic points [m]
 
-// Each point as a Gaussian, displaced by that much noise.
-std::vector<Gaussian3> PointGaussians(const std::vector<Eigen::Vector3d>& points,
-                                      double sigma,
-                                      Random* random) {
-  std::vector<Gaussian3> gaussians;
-  for (const Eigen::Vector3d& p : points) {
-    Gaussian3 gaussian;
-    gaussian.mean = p + sigma * testing::RandomNormal3(random);
-    gaussian.covariance = 0.03 * Eigen::Matrix3d::Identity();
-    gaussians.push_back(gaussian);
-  }
-  return gaussians;
-}
-
-// Every second point of the street as the radar sees it, in the radar frame.
-std::vector<Gaussian3> StreetScan(const Rigid3& T_submap_radar, double sigma, Random* random) {
-  std::vector<Eigen::Vector3d> points;
-  const std::vector<Eigen::Vector3d> street = testing::StreetPoints();
-  for (std::size_t i = 0; i < street.size(); i += 2) {
-    points.push_back(T_submap_radar.Inverse() * street[i]);
-  }
-  return PointGaussians(points, sigma, random);
-}
-
-double RotationError(const Rigid3& a, const Rigid3& b) {
-  return RotationVector(a.rotation * b.rotation.conjugate()).norm();
-}
-
-// Enough steps to be at the minimum.
-RegistrationOptions Patient() {
-  RegistrationOptions options;
-  options.max_iterations = 100;
-  options.step_tolerance = 1e-7;
-  return options;
-}
+using testing::Patient;
+using testing::PointGaussians;
+using testing::RotationError;
+using testing::StreetScan;
 
 RegistrationPriors Planar() {
   RegistrationPriors priors;

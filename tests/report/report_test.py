@@ -16,7 +16,7 @@ import made_study
 import numpy as np
 from made_study import circle, write_run, write_study, write_tum, yaw_quaternion
 
-from report import command, result_tables, run_files, study, tables, trajectories, viewer
+from report import command, result_tables, run_files, study, surface_figures, tables, trajectories, viewer
 
 
 class ScratchTest(unittest.TestCase):
@@ -196,8 +196,9 @@ class StudyTest(ScratchTest):
 
     def test_comparison_marks_intervals_clear_of_one(self):
         cells = self.cells("comparison")
-        self.assertEqual(cells["ours"], [("0.55", 1, "[0.50, 0.66]"), ("1.50", 2, "[1.10, 1.90]")])
-        self.assertEqual(cells["lost"], [("-", 0, ""), ("-", 0, "")])
+        better, worse = ("0.550", 1, "[0.500, 0.660]"), ("1.500", 2, "[1.100, 1.900]")
+        self.assertEqual(cells["ours"], [better, ("[0.400, 1.200]", 0, ""), worse, ("-", 0, "")])
+        self.assertEqual(cells["lost"], [("-", 0, "")] * 4)
 
     def test_failures_are_listed_absent_data_are_not(self):
         self.assertEqual([row[3][0] for row in self.cells("failures").values()], ["signal 11, a | b_c"])
@@ -213,6 +214,15 @@ class StudyTest(ScratchTest):
         found = result_tables.metric_tables(many, "ate", "Errors", ("ate_t",), ("ATE_t",))
         self.assertEqual([len(table.columns) for table in found], [3, 3, 3])
         self.assertEqual(found[1].caption, "Errors (2 of 3)")
+
+
+class SurfaceFiguresTest(unittest.TestCase):
+    def test_spacing_of_a_turned_grid(self):
+        y, x = np.mgrid[0:12, 0:10] * 0.25
+        grid = np.stack([x, y], -1).reshape(-1, 2)
+        turn = np.array([[math.cos(0.3), -math.sin(0.3)], [math.sin(0.3), math.cos(0.3)]])
+        for vertices in (grid, grid @ turn.T):
+            self.assertAlmostEqual(surface_figures.grid_spacing(vertices), 0.25, places=9)
 
 
 class ViewerTest(unittest.TestCase):

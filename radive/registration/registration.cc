@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/registration/ndt_registration.h"
+#include "radive/registration/registration.h"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -20,6 +21,10 @@
 #include "radive/geometry/plane_basis.h"
 #include "radive/geometry/pose_manifold.h"
 #include "radive/geometry/sqrt_information.h"
+#include "radive/registration/icp_matcher.h"
+#include "radive/registration/linearised.h"
+#include "radive/registration/ndt_matcher.h"
+#include "radive/registration/scan_matcher.h"
 #include "radive/solver/solve.h"
 #include "radive/util/stopwatch.h"
 
@@ -69,33 +74,6 @@ std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const Registr
                                               prior.sigma));
   }
   return factors;
-}
-
-// Residuals of a factor, and its Jacobian in the tangent space [rotation vector, translation].
-struct Linearised {
-  Eigen::VectorXd residuals;
-  Eigen::Matrix<double, Eigen::Dynamic, 6> jacobian;
-};
-
-Linearised Linearise(const ceres::CostFunction& factor, const PoseBlock& pose) {
-  const int rows = factor.num_residuals();
-  Linearised result;
-  result.residuals.resize(rows);
-  Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> jacobian(rows, 7);
-  const double* blocks[] = {pose.data()};
-  double* jacobians[] = {jacobian.data()};
-  factor.Evaluate(blocks, result.residuals.data(), jacobians);
-  // A rotation vector dr changes the quaternion by (dr / 2) q.
-  Eigen::Matrix<double, 7, 6> ambient = Eigen::Matrix<double, 7, 6>::Zero();
-  const Eigen::Quaterniond q(pose[3], pose[0], pose[1], pose[2]);
-  for (int i = 0; i < 3; ++i) {
-    Eigen::Quaterniond half(0.0, 0.0, 0.0, 0.0);
-    half.coeffs()[i] = 0.5;
-    ambient.block<4, 1>(0, i) = (half * q).coeffs();
-    ambient(4 + i, 3 + i) = 1.0;
-  }
-  result.jacobian = jacobian * ambient;
-  return result;
 }
 
 // Columns: the tangent directions that may move.
@@ -168,13 +146,41 @@ std::vector<Eigen::Matrix<double, 6, 1>> WeakDirections(const NdtQuadratic& data
   return weak;
 }
 
-// Scan Gaussians that have a pair at all; pairs are sorted by them.
-int CountScanGaussians(const std::vector<NdtPair>& pairs) {
-  int count = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (i == 0 || pairs[i].scan != pairs[i - 1].scan) ++count;
+// How often pairs are searched, and the steps after each search. All methods have the same number
+// of steps.
+struct Schedule {
+  int num_associations;
+  int max_iterations;
+};
+
+Schedule MakeSchedule(const ScanMatcher& matcher, const RegistrationOptions& options) {
+  if (!matcher.associates_each_step()) return {options.num_associations, options.max_iterations};
+  return {options.num_associations * options.max_iterations, 1};
+}
+
+std::unique_ptr<ScanMatcher> MakeScanMatcher(const RegistrationInput& input,
+                                             const Eigen::Vector3d& origin,
+                                             const PairOptions& pair_options,
+                                             const RegistrationOptions& options) {
+  switch (options.method) {
+    case RegistrationMethod::kNdt:
+    case RegistrationMethod::kFullNdt:
+      return MakeNdtMatcher(*input.scan, *input.search, origin, pair_options, options);
+    case RegistrationMethod::kGicp:
+    case RegistrationMethod::kPlaneIcp:
+    case RegistrationMethod::kIcp:
+    case RegistrationMethod::kDopplerIcp:
+      return MakeIcpMatcher(input, origin, pair_options, options);
   }
-  return count;
+  LOG(FATAL) << "unknown registration method " << static_cast<int>(options.method);
+  return nullptr;
+}
+
+// Length of a step in metres and radians together.
+double StepLength(const PoseBlock& from, const PoseBlock& to) {
+  const Rigid3 a = FromPoseBlock(from), b = FromPoseBlock(to);
+  return std::hypot((b.translation - a.translation).norm(),
+                    RotationVector(b.rotation * a.rotation.conjugate()).norm());
 }
 
 SolverOptions MakeSolverOptions(const RegistrationOptions& options) {
@@ -191,17 +197,17 @@ SolverOptions MakeSolverOptions(const RegistrationOptions& options) {
 
 }  // namespace
 
-RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
-                               const PairSearch& search,
-                               const Rigid3& T_prediction,
-                               double slack,
-                               const RegistrationPriors& priors,
-                               const PairOptions& pair_options,
-                               const RegistrationOptions& options) {
+RegistrationResult Register(const RegistrationInput& input,
+                            const PairOptions& pair_options,
+                            const RegistrationOptions& options) {
+  CHECK(input.scan != nullptr && input.search != nullptr);
+  const Rigid3& T_prediction = input.T_prediction;
+  const RegistrationPriors& priors = input.priors;
+  const double slack = input.slack;
   RegistrationResult result;
   result.T_submap_radar = T_prediction;
-  if (static_cast<int>(scan.size()) < options.min_gaussians) {
-    result.message = std::to_string(scan.size()) + " Gaussians in the scan, " +
+  if (static_cast<int>(input.scan->size()) < options.min_gaussians) {
+    result.message = std::to_string(input.scan->size()) + " Gaussians in the scan, " +
                      std::to_string(options.min_gaussians) + " needed";
     return result;
   }
@@ -216,51 +222,57 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
   }
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
   ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  const SolverOptions solver_options = MakeSolverOptions(options);
+  const std::unique_ptr<ScanMatcher> matcher =
+      MakeScanMatcher(input, origin, pair_options, options);
+  const Schedule schedule = MakeSchedule(*matcher, options);
+  SolverOptions solver_options = MakeSolverOptions(options);
+  solver_options.max_iterations = schedule.max_iterations;
 
   PoseBlock pose = ToPoseBlock(Shifted(T_prediction, origin));
-  for (int association = 0; association < options.num_associations; ++association) {
+  for (int association = 0; association < schedule.num_associations; ++association) {
     const Stopwatch stopwatch;
     Rigid3 T_submap_radar = FromPoseBlock(pose);
     T_submap_radar.translation += origin;
     // After the first solve the pose is far better than the prediction was.
     const double slack_now = association == 0 ? slack : std::min(slack, 0.3);
-    const std::vector<NdtPair> pairs = search.Find(scan, T_submap_radar, pair_options, slack_now);
+    const std::unique_ptr<ScanMatch> match = matcher->Associate(T_submap_radar, slack_now);
     result.pair_search_ms += stopwatch.Milliseconds();
-    result.num_pairs = static_cast<int>(pairs.size());
-    if (static_cast<int>(pairs.size()) < options.min_gaussians) {
-      result.message = std::to_string(pairs.size()) + " pairs with the submap, " +
+    result.num_pairs = match->num_pairs();
+    if (result.num_pairs < options.min_gaussians) {
+      result.message = std::to_string(result.num_pairs) + " pairs with the submap, " +
                        std::to_string(options.min_gaussians) + " needed";
       return result;
     }
-    const CondensedNdtCost ndt(
-        scan, search.submap(), pairs, origin, options.normalisation, options.derivatives);
     ceres::Problem problem(ownership);
     problem.AddParameterBlock(pose.data(), 7, manifold.get());
-    problem.AddResidualBlock(const_cast<CondensedNdtCost*>(&ndt), nullptr, pose.data());
+    match->AddTo(&problem, pose.data());
     for (const auto& factor : prior_factors) {
       problem.AddResidualBlock(factor.get(), nullptr, pose.data());
     }
+    const PoseBlock before = pose;
     const SolveSummary summary = Solve(solver_options, &problem);
     result.num_iterations += summary.num_iterations;
     if (!summary.usable) {
       result.message = "solver: " + summary.message;
       return result;
     }
-    result.cost = summary.final_cost - ndt.offset();
+    result.cost = summary.final_cost - match->offset();
 
-    if (association + 1 < options.num_associations) continue;
-    const NdtQuadratic quadratic = ndt.Quadratic(pose.data(), /*with_scatter=*/true);
+    const bool has_settled =
+        matcher->associates_each_step() && StepLength(before, pose) < options.step_tolerance;
+    if (association + 1 < schedule.num_associations && !has_settled) continue;
+    const NdtQuadratic quadratic = match->Quadratic(pose.data());
     Matrix6d hessian = quadratic.hessian;
     Matrix6d curvature = quadratic.curvature;
     const Eigen::MatrixXd free = FreeDirections(priors);
     // Small samples: the gradients have been fitted to.
-    const double num_scan = static_cast<double>(CountScanGaussians(pairs));
+    const double num_scan = static_cast<double>(match->num_scan_gaussians());
     Matrix6d scatter =
         num_scan / std::max(1.0, num_scan - static_cast<double>(free.cols())) * quadratic.scatter;
     for (const auto& factor : prior_factors) {
-      const Linearised linearised = Linearise(*factor, pose);
+      const Linearised linearised = Linearise(*factor, pose.data());
       if (priors.no_slip && factor == prior_factors.back()) {
         // What everything else knows of the lateral displacement.
         const double sigma = priors.no_slip->sigma;
@@ -277,6 +289,7 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
     }
     result.covariance = SandwichCovariance(hessian, curvature, scatter, free);
     result.weak_directions = WeakDirections(quadratic, free, options);
+    break;
   }
 
   Rigid3 T_submap_radar = FromPoseBlock(pose);
@@ -292,6 +305,22 @@ RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
   result.T_submap_radar = T_submap_radar;
   result.converged = true;
   return result;
+}
+
+RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
+                               const PairSearch& search,
+                               const Rigid3& T_prediction,
+                               double slack,
+                               const RegistrationPriors& priors,
+                               const PairOptions& pair_options,
+                               const RegistrationOptions& options) {
+  RegistrationInput input;
+  input.scan = &scan;
+  input.search = &search;
+  input.T_prediction = T_prediction;
+  input.slack = slack;
+  input.priors = priors;
+  return Register(input, pair_options, options);
 }
 
 }  // namespace radive

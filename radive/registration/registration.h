@@ -12,6 +12,7 @@
 #include "radive/ndt/distance_bounded_pairs.h"
 #include "radive/registration/registration_options.h"
 #include "radive/registration/registration_result.h"
+#include "radive/sensor/radar_scan.h"
 
 namespace radive {
 
@@ -55,12 +56,33 @@ struct RegistrationPriors {
   std::optional<Eigen::Vector3d> plane_normal;
 };
 
-// Aligns a scan with a submap by the weighted NDT cost and the priors. Stateless.
-//
-// scan            Gaussians in the radar frame
-// search          of the submap's Gaussians
-// T_prediction    first guess of T_submap_radar
-// slack           error of the prediction that the pair search allows for [m]
+// A scan, what it is to be aligned with, and what is known beforehand. Nothing is copied: all that
+// is pointed to must outlive it.
+struct RegistrationInput {
+  const std::vector<Gaussian3>* scan = nullptr;  // radar frame
+  const PairSearch* search = nullptr;            // over the submap's Gaussians
+  Rigid3 T_prediction;                           // first guess of T_submap_radar
+  double slack = 0.5;      // error of the prediction that the pair search allows for [m]
+  bool is_planar = false;  // the sensor measures no elevation
+  RegistrationPriors priors;
+
+  // The range rates of the scan, for doppler_icp.
+  struct Doppler {
+    const std::vector<RadarReturn>* returns = nullptr;  // static ones
+    const std::vector<double>* weights = nullptr;       // one a return [-]
+    Rigid3 T_submap_radar0;                             // the previous pose
+    double dt = 0.0;                                    // since then, > 0 [s]
+    double sigma = 0.1;                                 // of the range rates [m/s]
+  };
+  std::optional<Doppler> doppler;
+};
+
+// Aligns a scan with a submap by options.method and the priors. Stateless.
+RegistrationResult Register(const RegistrationInput& input,
+                            const PairOptions& pair_options,
+                            const RegistrationOptions& options);
+
+// The same from what NDT needs.
 RegistrationResult RegisterNdt(const std::vector<Gaussian3>& scan,
                                const PairSearch& search,
                                const Rigid3& T_prediction,
