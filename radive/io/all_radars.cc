@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "radive/io/radarscenes_hdf5.h"
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/text_lines.h"
 
@@ -61,9 +62,16 @@ std::vector<RadarInput> HerculesRadars(const InputOptions& options) {
   return radars;
 }
 
-std::vector<RadarInput> RadarScenesRadars(const fs::path& path, const InputOptions& options) {
+// Nothing, with the reason in `error`, when the file with the radars cannot be read.
+std::optional<std::vector<RadarInput>> RadarScenesRadars(const fs::path& path,
+                                                         const InputOptions& options,
+                                                         std::string* error) {
+  const std::optional<fs::path> file = FindRadarScenesHdf5(path, options.folder);
+  const std::optional<std::vector<int>> numbers =
+      file ? RadarsOfRadarScenesHdf5(*file, error) : RadarsOfRadarScenes(path / options.folder);
+  if (!numbers) return std::nullopt;
   std::vector<RadarInput> radars;
-  for (const int number : RadarsOfRadarScenes(path / options.folder)) {
+  for (const int number : *numbers) {
     radars.push_back({number, options});
     radars.back().options.radar = std::to_string(number);
   }
@@ -83,7 +91,9 @@ std::optional<std::vector<RadarInput>> ListRadars(const fs::path& path,
   const std::vector<std::string> folders = Words(options.folder);
   if (options.format == Format::kRadarScenes) {
     expected = "radar1_scans.csv, radar2_scans.csv, ...";
-    radars = RadarScenesRadars(path, options);
+    auto found = RadarScenesRadars(path, options, error);
+    if (!found) return std::nullopt;
+    radars = *std::move(found);
   } else if (IsBag(options.format)) {
     expected = "a list of topics in input.topic: [/one, /other]";
     radars = RadarsNamed(Words(options.topic), &InputOptions::topic, options);

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "radive/io/radarscenes_hdf5.h"
 #include "radive/io/raflow_source.h"
 #include "radive/io/raw_evidence.h"
 #include "radive/io/record_file.h"
@@ -132,6 +133,9 @@ class Detection {
       }
     }
     if (StartsWith(bytes, "\x93NUMPY")) return Take(Format::kNpy, "starts with \\x93NUMPY");
+    if (StartsWith(bytes, "\x89HDF\r\n")) {
+      return Take(Format::kRadarScenes, "an HDF5 file, as RadarScenes has");
+    }
     if (StartsWith(bytes, "ply\n") || StartsWith(bytes, "ply\r")) {
       return Take(Format::kPly, "starts with 'ply'");
     }
@@ -182,6 +186,9 @@ class Detection {
   bool RadarScenes() {
     for (const std::string& name : Files(path_ / options_->folder, "_scans.csv")) {
       if (StartsWith(name, "radar")) return Take(Format::kRadarScenes, "holds " + name);
+    }
+    if (FindRadarScenesHdf5(path_, options_->folder)) {
+      return Take(Format::kRadarScenes, "holds radar_data.h5");
     }
     return false;
   }

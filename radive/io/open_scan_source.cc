@@ -15,6 +15,7 @@
 #include "radive/io/detect_format.h"
 #include "radive/io/merged_source.h"
 #include "radive/io/point_file_source.h"
+#include "radive/io/radarscenes_hdf5.h"
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/raflow_source.h"
 #include "radive/io/raw_source.h"
@@ -34,6 +35,9 @@ std::unique_ptr<ScanSource> OpenStored(const std::string& path,
     case Format::kHercules:
       return OpenHerculesSource(path, options, error);
     case Format::kRadarScenes:
+      if (const auto file = FindRadarScenesHdf5(path, options.folder)) {
+        return RadarScenesHdf5Source::Open(*file, options, error);
+      }
       return RadarScenesSource::Open(path, options, error);
     case Format::kPcd:
       return OpenPointFileSource(path, PointFileFormat::kPcd, options, error);

@@ -14,6 +14,7 @@
 #include "radive/io/dicp_calibration.h"
 #include "radive/io/pose_table.h"
 #include "radive/io/pose_text.h"
+#include "radive/io/radarscenes_hdf5.h"
 #include "radive/io/raflow_source.h"
 #include "radive/io/record_file.h"
 #include "radive/io/scan_folder.h"
@@ -101,7 +102,8 @@ std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
   const std::string name = file.filename().string();
   std::int64_t sequence, sample;
   if (IsBag(file)) return Found{file, Format::kBag};
-  if (EndsWith(name, "_scans.csv")) return Found{file, Format::kRadarScenes};
+  if (EndsWith(name, "_scans.csv") || file.extension() == ".h5")
+    return Found{file, Format::kRadarScenes};
   if (EndsWith(name, "_poses.csv")) return Found{file, Format::kBoreas};
   if (name == "ref_poses.txt") return Found{file, Format::kDicp};
   if (name == "groundtruth_poses.txt") return Found{file, Format::kColoRadar};
@@ -126,7 +128,8 @@ std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
     if (fs::exists(folder / known.file, ignored))
       found.push_back({folder / known.file, known.format});
   }
-  if (!Files(folder, "_scans.csv").empty()) found.push_back({folder, Format::kRadarScenes});
+  if (!Files(folder, "_scans.csv").empty() || FindRadarScenesHdf5(folder))
+    found.push_back({folder, Format::kRadarScenes});
   if (HoldsRaFlow(folder)) found.push_back({folder, Format::kRaFlow});
   if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, Format::kVod});
   // A bag is the ground truth only where there is nothing better.
@@ -158,6 +161,13 @@ std::optional<Found> Detect(const fs::path& path, Format format, std::string* er
   }
   if (format != Format::kAuto) return Found{path, format};
   return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
+}
+
+bool ReadPoses(std::optional<RecordedTrajectory> poses, bool has_stamps, Reference* reference) {
+  if (!poses) return false;
+  reference->poses = *std::move(poses);
+  reference->has_stamps = has_stamps;
+  return true;
 }
 
 bool ReadText(const fs::path& file,
@@ -226,8 +236,12 @@ bool ReadDicp(const fs::path& path, Reference* reference, std::string* error) {
 
 // The tables of all radars: each has the pose of the car at the odometry's stamp next to each scan.
 bool ReadRadarScenes(const fs::path& path, Reference* reference, std::string* error) {
-  std::vector<fs::path> files = {path};
   std::error_code ignored;
+  const std::optional<fs::path> hdf5 = FindRadarScenesHdf5(path);
+  if (hdf5 && hdf5->extension() == ".h5") {
+    return ReadPoses(ReadRadarScenesOdometry(*hdf5, error), /*has_stamps=*/true, reference);
+  }
+  std::vector<fs::path> files = {path};
   if (fs::is_directory(path, ignored)) {
     files.clear();
     for (const std::string& name : Files(path, "_scans.csv")) files.push_back(path / name);
@@ -278,13 +292,6 @@ bool ReadBag(const fs::path& path,
   reference->poses = std::move(trajectory->poses);
   reference->has_rotations = trajectory->has_rotations;
   reference->description = trajectory->description;
-  return true;
-}
-
-bool ReadPoses(std::optional<RecordedTrajectory> poses, bool has_stamps, Reference* reference) {
-  if (!poses) return false;
-  reference->poses = *std::move(poses);
-  reference->has_stamps = has_stamps;
   return true;
 }
 
