@@ -15,7 +15,8 @@
 
 #include "radive/config/yaml_settings.h"
 #include "radive/evaluation/path_length.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/read_reference.h"
+#include "radive/pipeline/run_scores.h"
 #include "radive/studies/score_run.h"
 
 namespace radive {
@@ -103,56 +104,56 @@ void ReadTimes(const fs::path& file, RunTiming* timing) {
   timing->ms_per_scan_p95 = Percentile(times, 0.95);
 }
 
-// KITTI files have a line a scan of the whole drive and no stamps: gives them those of the
-// estimate.
-bool StampByScan(const StudyRun& run,
-                 const std::string& path,
-                 const RecordedTrajectory& estimate,
-                 RecordedTrajectory* reference,
-                 std::string* error) {
-  const std::size_t start = static_cast<std::size_t>(run.start);
-  if (reference->size() < start + estimate.size()) {
-    *error = path + ": expected a pose for each of " + std::to_string(start + estimate.size()) +
-             " scans, found " + std::to_string(reference->size());
-    return false;
+// The reference as poses of the body of the estimate, with its stamps where it has none itself.
+RecordedTrajectory SeenAsEstimate(const RunEstimate& estimate, Reference reference) {
+  RecordedTrajectory poses;
+  EvaluationOptions options;  // of the positions alone, which every reference has
+  std::string ignored;
+  PrepareComparison(estimate, &reference, &poses, &options, &ignored);
+  const MatrixPose T_reference_output(estimate.T_output_reference.Inverse());
+  if (reference.has_rotations) {
+    for (RecordedPose& pose : reference.poses) {
+      pose.T_world_body = pose.T_world_body * T_reference_output;
+    }
   }
-  reference->erase(reference->begin(), reference->begin() + run.start);
-  reference->resize(estimate.size());
-  for (std::size_t i = 0; i < estimate.size(); ++i) {
-    (*reference)[i].stamp_ns = estimate[i].stamp_ns;
-    (*reference)[i].stamp_s = estimate[i].stamp_s;
+  if (!reference.has_stamps) {
+    reference.poses.resize(std::min(reference.poses.size(), poses.size()));
+    for (std::size_t i = 0; i < reference.poses.size(); ++i) {
+      reference.poses[i].stamp_ns = poses[i].stamp_ns;
+      reference.poses[i].stamp_s = poses[i].stamp_s;
+    }
   }
-  return true;
+  return reference.poses;
 }
 
 bool Score(const Study& study,
            const StudyRun& run,
            const fs::path& folder,
            const fs::path& reference_path,
-           RecordedTrajectory* reference,
+           RecordedTrajectory* reference_poses,
            RunRecord* record,
            std::string* error) {
-  const auto estimate =
-      ReadTrajectory(folder / "trajectory_tum.txt", TrajectoryFormat::kTum, error);
+  const auto estimate = ReadRunEstimate(folder, error);
   if (!estimate) return false;
   std::vector<MatrixPose> poses;
-  for (const RecordedPose& pose : *estimate) poses.push_back(pose.T_world_body);
-  record->scores.path_length = PathLengths(poses).back();
+  for (const RecordedPose& pose : estimate->poses) poses.push_back(pose.T_world_body);
+  const double path_length = PathLengths(poses).back();
+  record->scores.path_length = path_length;
   if (reference_path.empty()) return true;
 
-  auto read = ReadTrajectory(reference_path, run.sequence->reference_format, error);
-  if (!read) return false;
-  if (run.sequence->reference_format == TrajectoryFormat::kKitti &&
-      !StampByScan(run, reference_path.string(), *estimate, &*read, error)) {
-    return false;
-  }
-  *reference = *std::move(read);
-  const auto scores = ScoreRun(*reference, *estimate, study.evaluation, error);
+  const ReferenceOptions& reading = run.config.reference;
+  const auto reference = ReadReference(reference_path, reading, run.config.input.clip, error);
+  if (!reference) return false;
+  EvaluationOptions options = study.evaluation;
+  options.max_time_difference = reading.max_time_difference;
+  options.max_gap = reading.max_gap;
+  if (reading.interpolate) options.match = PoseMatch::kInterpolate;
+  const auto scores = ScoreRun(*estimate, *reference, options, error);
   if (!scores) {
     *error = "no score: " + *error;
     return false;
   }
-  const auto path_length = record->scores.path_length;
+  *reference_poses = SeenAsEstimate(*estimate, *reference);
   record->scores = *scores;
   record->scores.path_length = path_length;
   return true;

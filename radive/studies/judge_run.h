@@ -24,8 +24,8 @@ struct RunEnd {
 };
 
 // Fills in what became of a run from its end and from the files in `folder`: status, message,
-// counts, scores and times. `reference_path` is empty for a drive that is not scored; the poses
-// used go to `reference`, with the stamps of the estimate where the file has none.
+// counts, scores and times. `reference_path` is empty for a drive that is not scored; its poses go
+// to `reference`, as those of the body whose trajectory was estimated.
 void JudgeRun(const Study& study,
               const StudyRun& run,
               const RunEnd& end,

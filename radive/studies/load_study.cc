@@ -21,6 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// What is to be compared is always the same, and how poses are matched is a setting of the run.
+const std::set<std::string> kNotOfTheStudy = {
+    "metric", "relation", "match", "max_time_difference", "max_gap"};
+
 bool IsName(const std::string& name) {
   const std::string allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._+-";
   return !name.empty() && name.front() != '.' && name.front() != '-' && name.size() <= 100 &&
@@ -115,7 +119,7 @@ class StudyReader {
   bool ReadEvaluation(const YAML::Node& node) {
     std::vector<OptionField> fields;
     for (OptionField& field : study_.evaluation.Fields()) {
-      if (field.name != "metric" && field.name != "relation") fields.push_back(std::move(field));
+      if (kNotOfTheStudy.count(field.name) == 0) fields.push_back(std::move(field));
     }
     if (!blocks_.Read(node, "evaluate", std::move(fields))) return false;
     if (study_.evaluation.IsValid(error_) && study_.evaluation.pairs.IsValid(error_)) return true;
@@ -158,10 +162,6 @@ class StudyReader {
         {"glob", &keys.glob, "-", ""},
         {"scenario", &sequence.scenario, "-", ""},
         {"reference", &keys.reference, "-", ""},
-        {"reference_format",
-         MakeChoice(&sequence.reference_format, {"tum", "kitti", "euroc"}),
-         "-",
-         ""},
         {"config", &keys.config, "-", ""},
         OptionField{"frames", &sequence.frames, "-", ""}.AtLeast(0),
     };

@@ -85,7 +85,8 @@ std::string StudyJson(Study study) {
   }
   json["seeds"] = study.seeds;
   json["perturb"] = FieldsJson(study.perturb.Fields(), {});
-  json["evaluate"] = FieldsJson(study.evaluation.Fields(), {"metric", "relation"});
+  json["evaluate"] = FieldsJson(study.evaluation.Fields(),
+                                {"metric", "relation", "match", "max_time_difference", "max_gap"});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "radive/evaluation/evaluation_options.h"
-#include "radive/io/trajectory_io.h"
 #include "radive/simulation/simulation_options.h"
 
 namespace radive {
@@ -20,7 +19,6 @@ struct StudySequence {
 
   std::filesystem::path input;      // recorded drives
   std::filesystem::path reference;  // empty: not scored
-  TrajectoryFormat reference_format = TrajectoryFormat::kTum;
 
   std::string scenario;  // simulated drives; empty: a recorded one
   SimulationOptions simulation;
@@ -62,7 +60,7 @@ struct Study {
   std::vector<StudyVariant> variants;  // the others are compared with the first
   std::vector<int> seeds = {0};
   Perturbation perturb;
-  EvaluationOptions evaluation;  // metric and relation are not the study's
+  EvaluationOptions evaluation;  // without metric, relation and what the run's reference.* says
 
   std::string config;               // of sequences that name none
   std::string set;                  // of all runs

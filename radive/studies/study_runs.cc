@@ -133,7 +133,6 @@ std::string ConfigHash(const Study& study, const StudyRun& run) {
     hash.AddPart(std::to_string(number));
   }
   EvaluationOptions evaluation = study.evaluation;
-  hash.AddPart(std::to_string(static_cast<int>(run.sequence->reference_format)));
   for (const OptionField& field : evaluation.Fields()) hash.AddPart(field.ToString());
   return hash.Hex();
 }

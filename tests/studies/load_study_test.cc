@@ -44,7 +44,6 @@ sequences:
   - name: recorded
     input: drive
     reference: "{name}.txt"
-    reference_format: kitti
     config: other.yaml
     set: {input.layout: "[x,y,z,doppler,power]"}
     frames: 50
@@ -74,7 +73,6 @@ variants:
   const StudySequence& recorded = study.sequences[0];
   EXPECT_EQ(recorded.input, scratch.path() / "drive");
   EXPECT_EQ(recorded.reference, scratch.path() / "recorded.txt");
-  EXPECT_EQ(recorded.reference_format, TrajectoryFormat::kKitti);
   EXPECT_EQ(recorded.config, (scratch.path() / "other.yaml").string());
   EXPECT_EQ(recorded.set, "input.layout=\"[x,y,z,doppler,power]\"");
   const StudySequence& simulated = study.sequences[1];
