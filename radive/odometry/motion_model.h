@@ -9,7 +9,7 @@
 #include "radive/odometry/odometry_options.h"
 #include "radive/odometry/odometry_result.h"
 #include "radive/odometry/vehicle_model.h"
-#include "radive/registration/ndt_registration.h"
+#include "radive/registration/registration.h"
 
 namespace radive {
 

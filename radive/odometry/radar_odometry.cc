@@ -11,7 +11,7 @@
 
 #include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
-#include "radive/registration/ndt_registration.h"
+#include "radive/registration/registration.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -54,14 +54,22 @@ void RadarOdometry::Register(const FilteredScan& filtered,
   RegistrationOptions registration_options = options_.registration;
   registration_options.max_correction += growth;
   registration_options.max_rotation_correction += kUnseenRotationRate * gap;
+  RegistrationInput input;
+  input.scan = &gaussians;
+  input.search = submap_->search();
+  input.T_prediction = prediction.T_world_radar;
+  input.slack = slack;
+  input.is_planar = filtered.is_planar;
+  input.priors = motion_.Priors(prediction, result->ego_velocity, filtered.is_planar, dt);
+  if (prediction.has_doppler && dt > 0.0) {
+    input.doppler = {&filtered.returns,
+                     &filtered.weights,
+                     motion_.T_world_radar(),
+                     dt,
+                     options_.sensor.sigma_doppler};
+  }
   const RegistrationResult registration =
-      RegisterNdt(gaussians,
-                  *submap_->search(),
-                  prediction.T_world_radar,
-                  slack,
-                  motion_.Priors(prediction, result->ego_velocity, filtered.is_planar, dt),
-                  options_.pairs,
-                  registration_options);
+      radive::Register(input, options_.pairs, registration_options);
   result->num_pairs = registration.num_pairs;
   result->num_iterations = registration.num_iterations;
   result->cost = registration.cost;
