@@ -23,10 +23,11 @@ DEFINE_int32(jobs, 0, "Runs at a time, each a process; 0: as many as there are c
 DEFINE_string(shard, "0/1", "i/n: only the runs of part i of n, from 0.");
 DEFINE_bool(collect, false, "Run nothing; write the tables from the runs there are.");
 DEFINE_bool(retry, true, "Run once more what failed before.");
-DEFINE_string(keep,
-              "all",
-              "all | trajectories | scores: what the folders of finished runs keep; trajectories "
-              "leaves out map, scans.csv and timing.csv, scores the trajectories as well.");
+DEFINE_string(
+    keep,
+    "all",
+    "all | trajectories | scores: what the folders of finished runs keep: everything, the "
+    "trajectories and run.json, or run.json alone (with config.yaml and log.txt).");
 DEFINE_string(data_root,
               "",
               "Where relative paths of inputs begin; default: $RADIVE_DATA_ROOT, or the folder of "

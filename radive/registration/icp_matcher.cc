@@ -13,11 +13,12 @@
 #include <vector>
 
 #include "radive/factors/doppler_motion_factor.h"
+#include "radive/factors/gicp_factor.h"
 #include "radive/factors/ndt_pair_factor.h"
 #include "radive/factors/point_to_plane_factor.h"
 #include "radive/factors/point_to_point_factor.h"
+#include "radive/geometry/sqrt_information.h"
 #include "radive/registration/linearised.h"
-#include "radive/registration/ndt_matcher.h"
 #include "radive/registration/point_tree.h"
 
 namespace radive {
@@ -121,27 +122,19 @@ class IcpMatcher : public ScanMatcher {
         submap_tree_(Means(input.search->submap(), origin)),
         submap_normals_(submap_tree_, options.icp_neighbors, UpIn(input.T_prediction)),
         scan_tree_(Means(*input.scan, Eigen::Vector3d::Zero())),
-        scan_normals_(scan_tree_, options.icp_neighbors, UpIn(Rigid3())) {
-    if (options.method == RegistrationMethod::kGicp) MakeScanDiscs();
-  }
+        scan_normals_(scan_tree_, options.icp_neighbors, UpIn(Rigid3())) {}
 
   std::unique_ptr<ScanMatch> Associate(const Rigid3& T_submap_radar, double /*slack*/) override {
     const Rigid3 T_origin_radar = {T_submap_radar.rotation, T_submap_radar.translation - origin_};
-    if (options_.method == RegistrationMethod::kGicp) return AssociateDiscs(T_origin_radar);
+    const Eigen::Matrix3d R = T_submap_radar.RotationMatrix();
     auto match = std::make_unique<FactorMatch>();
     for (std::size_t i = 0; i < input_.scan->size(); ++i) {
       const Gaussian3& a = (*input_.scan)[i];
       const auto nearest = submap_tree_.Nearest(T_origin_radar * a.mean, max_distance_);
       if (!nearest) continue;
-      const Eigen::Vector3d& q = submap_tree_.points()[*nearest];
-      const double weight = a.weight * input_.search->submap()[*nearest].confidence;
-      if (options_.method == RegistrationMethod::kIcp) {
-        match->Add(PointToPointFactor::Create(a.mean, q, options_.icp_sigma), weight);
-      } else {
-        const std::optional<Eigen::Vector3d>& normal = submap_normals_.At(*nearest);
-        if (!normal) continue;
-        match->Add(PointToPlaneFactor::Create(a.mean, q, *normal, options_.icp_sigma), weight);
-      }
+      ceres::CostFunction* factor = MakeFactor(i, *nearest, R);
+      if (factor == nullptr) continue;
+      match->Add(factor, a.weight * input_.search->submap()[*nearest].confidence);
       match->CountPair();
     }
     if (options_.method == RegistrationMethod::kDopplerIcp) AddDoppler(match.get());
@@ -181,36 +174,21 @@ class IcpMatcher : public ScanMatcher {
            (kDiscRatio - 1.0) * variance * normal * normal.transpose();
   }
 
-  void MakeScanDiscs() {
-    scan_discs_ = *input_.scan;
-    submap_discs_ = input_.search->submap();
-    has_scan_disc_.assign(scan_discs_.size(), false);
-    for (std::size_t i = 0; i < scan_discs_.size(); ++i) {
-      const std::optional<Eigen::Vector3d>& normal = scan_normals_.At(i);
-      if (!normal) continue;
-      scan_discs_[i].covariance = Disc(*normal);
-      has_scan_disc_[i] = true;
+  // Of scan point i and submap point j, at the rotation R; nullptr where a surface is missing.
+  ceres::CostFunction* MakeFactor(std::size_t i, std::size_t j, const Eigen::Matrix3d& R) {
+    const Eigen::Vector3d& p = scan_tree_.points()[i];
+    const Eigen::Vector3d& q = submap_tree_.points()[j];
+    if (options_.method == RegistrationMethod::kIcp) {
+      return PointToPointFactor::Create(p, q, options_.icp_sigma);
     }
-  }
-
-  std::unique_ptr<ScanMatch> AssociateDiscs(const Rigid3& T_origin_radar) {
-    std::vector<NdtPair> pairs;
-    for (std::size_t i = 0; i < scan_discs_.size(); ++i) {
-      if (!has_scan_disc_[i]) continue;
-      const auto nearest =
-          submap_tree_.Nearest(T_origin_radar * scan_discs_[i].mean, max_distance_);
-      if (!nearest) continue;
-      const std::optional<Eigen::Vector3d>& normal = submap_normals_.At(*nearest);
-      if (!normal) continue;
-      submap_discs_[*nearest].covariance = Disc(*normal);
-      pairs.push_back({static_cast<int>(i), static_cast<int>(*nearest)});
+    const std::optional<Eigen::Vector3d>& normal = submap_normals_.At(j);
+    if (!normal) return nullptr;
+    if (options_.method != RegistrationMethod::kGicp) {
+      return PointToPlaneFactor::Create(p, q, *normal, options_.icp_sigma);
     }
-    return MakeNdtMatch(scan_discs_,
-                        submap_discs_,
-                        std::move(pairs),
-                        origin_,
-                        NdtNormalisation::kUnit,
-                        options_.derivatives);
+    const std::optional<Eigen::Vector3d>& normal_scan = scan_normals_.At(i);
+    if (!normal_scan) return nullptr;
+    return GicpFactor::Create(p, q, SqrtInformation<3>(Disc(R * *normal_scan) + Disc(*normal)));
   }
 
   const RegistrationInput& input_;
@@ -221,10 +199,6 @@ class IcpMatcher : public ScanMatcher {
   SurfaceNormals submap_normals_;
   const PointTree scan_tree_;
   SurfaceNormals scan_normals_;
-
-  // Of gicp; those of the submap are discs where they have been paired.
-  std::vector<Gaussian3> scan_discs_, submap_discs_;
-  std::vector<bool> has_scan_disc_;
 };
 
 }  // namespace

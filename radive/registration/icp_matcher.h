@@ -18,8 +18,8 @@ namespace radive {
 //
 //   icp          PointToPointFactor
 //   plane_icp    PointToPlaneFactor with the normal of the nearest submap points
-//   gicp         NdtPairFactor (unit): the covariances are flat discs along the surface of the
-//                nearest points, in the submap and in the scan
+//   gicp         GicpFactor: the covariances are flat discs along the surface of the nearest
+//                points, in the submap and in the scan
 //   doppler_icp  as plane_icp, and a DopplerMotionFactor for each return
 //
 // `input` must outlive it.

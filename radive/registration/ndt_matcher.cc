@@ -71,12 +71,12 @@ class NdtMatcher : public ScanMatcher {
 
   std::unique_ptr<ScanMatch> Associate(const Rigid3& T_submap_radar, double slack) override {
     const double reach = is_full_ ? std::max(slack, options_.max_correction) : slack;
-    return MakeNdtMatch(scan_,
-                        search_.submap(),
-                        search_.Find(scan_, T_submap_radar, pair_options_, reach),
-                        origin_,
-                        options_.normalisation,
-                        options_.derivatives);
+    return std::make_unique<NdtMatch>(scan_,
+                                      search_.submap(),
+                                      search_.Find(scan_, T_submap_radar, pair_options_, reach),
+                                      origin_,
+                                      options_.normalisation,
+                                      options_.derivatives);
   }
   bool associates_each_step() const override { return false; }
 
@@ -90,16 +90,6 @@ class NdtMatcher : public ScanMatcher {
 };
 
 }  // namespace
-
-std::unique_ptr<ScanMatch> MakeNdtMatch(const std::vector<Gaussian3>& scan,
-                                        const std::vector<Gaussian3>& submap,
-                                        std::vector<NdtPair> pairs,
-                                        const Eigen::Vector3d& origin,
-                                        NdtNormalisation normalisation,
-                                        NdtDerivatives derivatives) {
-  return std::make_unique<NdtMatch>(
-      scan, submap, std::move(pairs), origin, normalisation, derivatives);
-}
 
 std::unique_ptr<ScanMatcher> MakeNdtMatcher(const std::vector<Gaussian3>& scan,
                                             const PairSearch& search,

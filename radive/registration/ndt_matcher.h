@@ -14,14 +14,6 @@
 
 namespace radive {
 
-// All `pairs` as one condensed NDT block. The Gaussians must outlive it.
-std::unique_ptr<ScanMatch> MakeNdtMatch(const std::vector<Gaussian3>& scan,
-                                        const std::vector<Gaussian3>& submap,
-                                        std::vector<NdtPair> pairs,
-                                        const Eigen::Vector3d& origin,
-                                        NdtNormalisation normalisation,
-                                        NdtDerivatives derivatives);
-
 // NDT with the pairs that `pair_options` choose; with registration.method full_ndt all pairs.
 // `scan` and `search` must outlive it.
 std::unique_ptr<ScanMatcher> MakeNdtMatcher(const std::vector<Gaussian3>& scan,

@@ -11,7 +11,6 @@
 #include "radive/config/yaml_settings.h"
 #include "radive/io/trajectory_io.h"
 #include "radive/io/whole_file.h"
-#include "radive/pipeline/output_file.h"
 #include "radive/util/text.h"
 
 namespace radive {
@@ -27,15 +26,29 @@ Json ReadJson(const fs::path& file) {
   return Json::parse(text, nullptr, /*allow_exceptions=*/false);
 }
 
-std::vector<std::string> LeftOut(KeptFiles kept) {
-  std::vector<std::string> names;
-  if (kept != KeptFiles::kAll) names = {"map.ply", "scans.csv", "timing.csv"};
-  if (kept == KeptFiles::kScores) {
-    for (const char* name : {"trajectory_tum.txt", "trajectory_kitti.txt", "reference.tum"}) {
-      names.emplace_back(name);
-    }
+// True for a file that the folder of a run keeps, when it went well.
+bool IsKept(const std::string& name, KeptFiles kept) {
+  if (kept == KeptFiles::kAll) return true;
+  if (name == "run.json" || name == "config.yaml" || name == "log.txt") return true;
+  return kept == KeptFiles::kTrajectories &&
+         (name == "trajectory_tum.txt" || name == "trajectory_kitti.txt" ||
+          name == "reference.tum");
+}
+
+// A file that was begun and not finished, see OutputFile.
+bool IsPartial(const std::string& name) {
+  return name.front() == '.' && fs::path(name).extension() == ".partial";
+}
+
+template <typename Predicate>
+void RemoveFiles(const fs::path& folder, const Predicate& is_removed) {
+  std::vector<fs::path> removed;
+  std::error_code code;
+  fs::directory_iterator entry(folder, code);
+  for (; !code && entry != fs::directory_iterator(); entry.increment(code)) {
+    if (is_removed(entry->path().filename().string())) removed.push_back(entry->path());
   }
-  return names;
+  for (const fs::path& path : removed) fs::remove_all(path, code);
 }
 
 }  // namespace
@@ -103,20 +116,10 @@ bool RunFolder::Commit(const RunRecord& record,
                        KeptFiles kept,
                        std::string* error) const {
   std::error_code code;
-  if (record.status == "ok") {
-    for (const std::string& name : LeftOut(kept)) fs::remove(partial_ / name, code);
-  } else {
-    // What a broken run left of its files has no use, and may be what filled the disk.
-    for (const char* name : {"trajectory_tum.txt",
-                             "trajectory_kitti.txt",
-                             "scans.csv",
-                             "timing.csv",
-                             "map.ply",
-                             "config.yaml",
-                             "run.json"}) {
-      fs::remove(partial_ / OutputFile::PartialName(name), code);
-    }
-  }
+  // What a broken run left of its files has no use, and may be what filled the disk.
+  RemoveFiles(partial_, [&](const std::string& name) {
+    return record.status == "ok" ? !IsKept(name, kept) : IsPartial(name);
+  });
   const bool has_reference = !reference.empty() && kept != KeptFiles::kScores;
   if (has_reference &&
       !WriteTumTrajectory(partial_ / "reference.tum", ToTrajectory(reference), error)) {

@@ -16,8 +16,8 @@ namespace radive {
 // What the folder of a finished run keeps.
 enum class KeptFiles {
   kAll,
-  kTrajectories,  // no map, no tables by scan
-  kScores         // no trajectories either
+  kTrajectories,  // trajectories, run.json, config.yaml, log.txt
+  kScores         // the last three
 };
 
 // The folder OUTPUT/runs/SEQUENCE/VARIANT/SEED of a run. It appears whole, by a rename, when the

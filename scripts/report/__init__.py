@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The report that scripts/radive_report writes: results folder in, one page and tables out.
 
-run_files   reads what a run wrote           trajectories  poses, alignment, errors
-study       the runs of a study as one table  tables        HTML, Markdown and LaTeX
-figures     matplotlib pictures               viewer        data of the interactive 3D view
-page        puts the page together            command       the command line
+run_files  reads what a run wrote       trajectories     poses, alignment, errors
+run        a run and its files          study            the runs of a study as one table
+tables     HTML, Markdown and LaTeX     result_tables    which tables there are
+theme      colours, light and dark      figures, surface_figures   pictures
+viewer     data of the 3D view          content          everything, whatever the format
+page       the HTML page                command          the command line
 """

@@ -38,9 +38,9 @@ def parse(arguments):
     parser.add_argument(
         "folder", nargs="+", help="output of radive_batch or radive_odometry, [NAME=]FOLDER"
     )
-    parser.add_argument("--reference", type=pathlib.Path, help="true trajectory of a single run, TUM")
-    parser.add_argument("--align", default="se3", choices=sorted(ALIGNMENTS), help="of a single run")
-    parser.add_argument("--plane", default="xy", choices=sorted(PLANES), help="of a single run")
+    parser.add_argument("--reference", type=pathlib.Path, help="true trajectory of the run, TUM")
+    parser.add_argument("--align", default="se3", choices=sorted(ALIGNMENTS), help="of runs")
+    parser.add_argument("--plane", default="xy", choices=sorted(PLANES), help="of runs")
     parser.add_argument("--output", type=pathlib.Path, help="folder for the report")
     parser.add_argument("--title", help="instead of the folder's name")
     return parser.parse_args(arguments)

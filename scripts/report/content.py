@@ -94,42 +94,55 @@ def section(study, sequence, typical, folder):
     if not drawn:
         states = sorted({run.status for run in study.of(sequence)})
         return Section(sequence, f"No run to draw: {', '.join(states)}.", [], [])
-    all_errors = [
-        (i, study.label(v), [run.errors for run in study.of(sequence, v) if run.is_ok and run.errors])
-        for i, v in enumerate(study.variants)
-    ]
-    mapped = next((run for run in drawn if len(run.map_points)), None)
-    period = study.period_ms(sequence)
-    whose = "" if result_tables.seeds(study) == 1 else "The seed of the median ATE_t of each variant. "
-    pictures = (
-        ("trajectory", "Trajectory", whose + "Seen from above, aligned to the ground truth."
-         if any(run.errors for run in drawn) else whose + "Seen from above.",
-         figures.trajectory_figure(runs)),
-        ("map", "Map", f"Points of the keyframes of {study.label(mapped.variant)}, with the estimated trajectory."
-         if mapped else "", figures.map_figure(mapped)),
-        ("errors", "Error over distance", whose + "Absolute pose error.",
-         figures.error_figure(runs)),
-        ("ape", "Absolute pose error", "Median, quartiles, 5th and 95th percentile over all poses"
-         + (" of all seeds." if result_tables.seeds(study) > 1 else "."),
-         figures.ape_figure(all_errors)),
-        ("surface", "Surface points", "The neural submap where it is densest, before and after the "
-         "extraction of surface points; blue: the side that the radar saw.",
-         figures_of(drawn, surface_figures.extraction_figure)),
-        ("slice", "Slice of the field", "Signed distance at one height; the line is its zero.",
-         figures_of(drawn, surface_figures.slice_figure)),
-        ("time", "Time per scan", "Running median over 25 scans; the dotted line is the time "
-         "between scans.", figures.time_figure(runs, period)),
-    )  # fmt: skip
-    result = Section(sequence, sequence_lead(drawn, period), [], [])
+    result = Section(sequence, sequence_lead(drawn, study.period_ms(sequence)), [], [])
     stem = re.sub(r"[^A-Za-z0-9]+", "_", sequence).strip("_") or "sequence"
     stem = f"{study.sequences.index(sequence):02d}_{stem}"
-    for kind, title, caption, figure in pictures:
+    dpi = 170 if len(study.sequences) < 7 else 100
+    for kind, title, caption, figure in pictures(study, sequence, runs, drawn):
         if figure is not None:
-            name = f"{stem}_{kind}"
-            svg = theme.finish(figure, name, folder, dpi=170 if len(study.sequences) < 7 else 100)
+            svg = theme.finish(figure, f"{stem}_{kind}", folder, dpi)
             result.figures.append((title, caption, svg))
-            result.files.append((title, name))
+            result.files.append((title, f"{stem}_{kind}"))
     return result
+
+
+def pictures(study, sequence, runs, drawn):
+    """(kind, title, caption, figure) one by one; the figure is None where there are no data."""
+    several = result_tables.seeds(study) > 1
+    whose = "The seed of the median ATE_t of each variant. " if several else ""
+    has_truth = any(run.errors for run in drawn)
+    above = "Seen from above, aligned to the ground truth." if has_truth else "Seen from above."
+    yield "trajectory", "Trajectory", whose + above, figures.trajectory_figure(runs)
+
+    mapped = next((run for run in drawn if len(run.map_points)), None)
+    variant = study.label(mapped.variant) if mapped else ""
+    caption = f"Points of the keyframes of {variant}, with the estimated trajectory."
+    yield "map", "Map", caption, figures.map_figure(mapped)
+
+    caption = whose + "Absolute pose error."
+    yield "errors", "Error over distance", caption, figures.error_figure(runs)
+
+    all_errors = [
+        (i, study.label(v), [r.errors for r in study.of(sequence, v) if r.is_ok and r.errors])
+        for i, v in enumerate(study.variants)
+    ]
+    caption = "Median, quartiles, 5th and 95th percentile over all poses"
+    caption += " of all seeds." if several else "."
+    yield "ape", "Absolute pose error", caption, figures.ape_figure(all_errors)
+
+    caption = (
+        "The neural submap where it is densest, before and after the extraction of surface points; "
+        "blue: the side that the radar saw."
+    )
+    extraction = figures_of(drawn, surface_figures.extraction_figure)
+    yield "surface", "Surface points", caption, extraction
+
+    caption = "Signed distance at one height; the line is its zero."
+    yield "slice", "Slice of the field", caption, figures_of(drawn, surface_figures.slice_figure)
+
+    caption = "Running median over 25 scans; the dotted line is the time between scans."
+    period = study.period_ms(sequence)
+    yield "time", "Time per scan", caption, figures.time_figure(runs, period)
 
 
 def figures_of(runs, draw):
@@ -139,9 +152,7 @@ def figures_of(runs, draw):
 
 def sequence_lead(drawn, period):
     run = drawn[0]
-    path = trajectories.distance_travelled(
-        run.reference if run.reference is not None else run.estimate
-    )[-1]
+    path = trajectories.distance_travelled(run.estimate)[-1]
     parts = [f"{len(run.estimate):,} scans", f"{path:,.0f} m"]
     if period:
         parts.append(f"one scan in {period:.0f} ms")
@@ -155,7 +166,7 @@ def notes(study, typical):
         "ATE: root mean square of the absolute pose error as evo has it; alignment "
         f"{study.align}, projection to the plane {study.plane}."
     ]
-    versions = sorted({run.facts["version"] for run in typical.values() if run and "version" in run.facts})
+    versions = sorted({run.facts["version"] for run in filter(None, typical.values()) if run.facts})
     if versions:
         found.append("RaDiVe " + ", ".join(versions) + ".")
     if study.is_single and "command_line" in study.runs[0].facts:

@@ -12,7 +12,7 @@ MOST_OF_A_LINE = 1500  # poses: more cannot be seen, and the page carries them
 
 
 def widen(axes):
-    """A straight drive is no line without height: the shorter side gets a third of the longer one."""
+    """A straight drive is no line without height: the shorter side gets a third of the longer."""
     x, y = axes.get_xlim(), axes.get_ylim()
     least = max(x[1] - x[0], y[1] - y[0]) / 3
     for limits, set_limits in ((x, axes.set_xlim), (y, axes.set_ylim)):
@@ -106,7 +106,10 @@ def ape_figure(variants):
     if not variants:
         return None
     figure, both = new_figure(6.4, max(2.2, 1.1 + 0.42 * len(variants)), ncols=2, sharey=True)
-    units = (("translation", 1.0, "APE translation [m]"), ("rotation", 180 / np.pi, "APE rotation [°]"))
+    units = (
+        ("translation", 1.0, "APE translation [m]"),
+        ("rotation", 180 / np.pi, "APE rotation [°]"),
+    )
     for axes, (attribute, factor, label) in zip(both, units):
         values = [
             factor * np.concatenate([getattr(errors, attribute) for errors in all_errors])
@@ -189,7 +192,7 @@ def map_figure(run, most_points=60000):
     corners = np.percentile(points[:, :2], [0.3, 99.7], axis=0)
     low, high = np.minimum(corners[0], path.min(0)), np.maximum(corners[1], path.max(0))
     figure, axes = view_from_above(low, high, reserve=1.3)
-    lowest, highest = np.percentile(points[:, 2], [5, 95])
+    lowest, highest = height_limits(points)
     order = np.argsort(points[:, 2], kind="stable")
     dots = axes.scatter(
         *points[order, :2].T,
@@ -197,17 +200,25 @@ def map_figure(run, most_points=60000):
         c=points[order, 2],
         cmap=theme.HEIGHT_MAP,
         vmin=lowest,
-        vmax=max(highest, lowest + 1),
+        vmax=highest,
         linewidths=0,
         rasterized=True,
     )
-    bar = figure.colorbar(
-        dots, label="height z [m]", location="top", shrink=0.6, pad=0.02, aspect=36, anchor=(0, 0)
-    )
-    bar.outline.set_visible(False)
+    if np.ptp(points[:, 2]) > 0:  # not of a planar radar
+        bar = figure.colorbar(
+            dots, label="height z [m]", location="top", shrink=0.6, pad=0.02, aspect=36, anchor=(0, 0)
+        )
+        bar.outline.set_visible(False)
     axes.plot(*path.T, color=series_style(1)["color"], linewidth=1.6)
     axes.grid(visible=False)
     return figure
+
+
+def height_limits(points):
+    """Low and high end of the colours [m]; a level map gets the middle one."""
+    low, high = np.percentile(points[:, 2], [5, 95])
+    middle, half = (low + high) / 2, max((high - low) / 2, 0.5)
+    return middle - half, middle + half
 
 
 def thinned(points, most):

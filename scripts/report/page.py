@@ -71,7 +71,8 @@ def navigation(content):
         for section in content.sections[:30]
     ]
     button = '<button id="theme" type="button" aria-label="Change light and dark" hidden></button>'
-    return f'<nav class="bar" id="top" aria-label="Sections"><div>{"".join(links)}{button}</div></nav>'
+    bar = "".join([*links, button])
+    return f'<nav class="bar" id="top" aria-label="Sections"><div>{bar}</div></nav>'
 
 
 def header(content):
@@ -80,7 +81,8 @@ def header(content):
         for name, value in content.facts
     )
     lead = f'<p class="lead">{html.escape(content.lead)}</p>'
-    return f'<header><h1>{html.escape(content.title)}</h1>{lead}<ul class="facts">{facts}</ul></header>'
+    title = html.escape(content.title)
+    return f'<header><h1>{title}</h1>{lead}<ul class="facts">{facts}</ul></header>'
 
 
 def viewer_section(scenes):
@@ -113,7 +115,7 @@ Points are coloured by height; those the drive has come near up to the slider's 
 
 def sequence_section(section):
     figures = "".join(
-        f'<figure class="card"><h3>{html.escape(title)}</h3>{svg}'
+        f'<figure class="card"><h3>{html.escape(title)}</h3>{labelled(svg, title)}'
         f"<figcaption>{html.escape(caption)}</figcaption></figure>"
         for title, caption, svg in section.figures
     )
@@ -122,6 +124,11 @@ def sequence_section(section):
         f'<section><h2 id="{anchor(section.name)}">{html.escape(section.name)}</h2>{note}'
         f'<div class="grid">{figures}</div></section>'
     )
+
+
+def labelled(svg, title):
+    """With a name for those who cannot see it."""
+    return svg.replace("<svg ", f'<svg role="img" aria-label="{html.escape(title)}" ', 1)
 
 
 def footer(content):

@@ -79,7 +79,11 @@ def names_with(published, names):
 def metric_tables(study, name, caption, metrics, heads):
     def make(sequences, name, caption):
         published = published_methods(study, sequences, metrics)
-        columns = [metric_column(study, s, metric, published) for s in sequences for metric in metrics]
+        columns = [
+            metric_column(study, sequence, metric, published)
+            for sequence in sequences
+            for metric in metrics
+        ]
         names = names_with(published, labels(study))
         table = Table(
             name,
@@ -164,7 +168,8 @@ def comparison_tables(study):
     overall = overall_comparison(study, f"Compared with {first}, all sequences", others)
     if len(study.sequences) == 1:
         return [overall]
-    return [overall, *split(study, "comparison_each", f"Compared with {first}, each sequence", make)]
+    caption = f"Compared with {first}, each sequence"
+    return [overall, *split(study, "comparison_each", caption, make)]
 
 
 def overall_comparison(study, caption, others):
@@ -202,7 +207,7 @@ def spread_tables(study):
 
     def make(sequences, name, caption):
         columns = [
-            [spread_cell(summary_row(study, variant, sequence, metric)) for variant in study.variants]
+            [spread_cell(summary_row(study, v, sequence, metric)) for v in study.variants]
             for sequence in sequences
             for metric in ("ate_t", "ate_r")
         ]
@@ -270,10 +275,10 @@ def failure_tables(study):
     if not failed:
         return []
     shown = failed[:MOST_FAILURES]
-    rows = [
-        (run.sequence, [Cell(t) for t in (study.label(run.variant), run.seed, run.status, run.message)])
-        for run in shown
-    ]
+    rows = []
+    for run in shown:
+        texts = (study.label(run.variant), run.seed, run.status, run.message)
+        rows.append((run.sequence, [Cell(text) for text in texts]))
     table = Table(
         "failures",
         f"Runs that did not finish: {len(failed)} of {len(study.runs)}",

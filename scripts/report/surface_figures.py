@@ -63,7 +63,8 @@ def extraction_figure(run):
     low, high = window(before, run.estimate[:, 1:3], WINDOW)
     before, after = inside(before, low, high), inside(after, low, high)
     figure, both = theme.new_figure(6.4, 4.2, ncols=2, sharey=True)
-    for axes, points, title in zip(both, (before, after), ("before extraction", "after extraction")):
+    titles = ("before extraction", "after extraction")
+    for axes, points, title in zip(both, (before, after), titles):
         order = np.argsort(np.abs(points[:, 3]), kind="stable")[::-1]
         drawn = axes.scatter(
             *points[order, :2].T,

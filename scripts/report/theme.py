@@ -44,7 +44,8 @@ HEIGHT_MAP = matplotlib.colors.LinearSegmentedColormap.from_list(
 
 def roles():
     """Name of the CSS variable to (light, dark)."""
-    named = {"ink": INK, "muted": MUTED, "grid": GRID, "panel": PANEL, "truth": TRUTH, "limit": LIMIT}
+    named = {"ink": INK, "muted": MUTED, "grid": GRID, "panel": PANEL}
+    named |= {"truth": TRUTH, "limit": LIMIT}
     return named | {f"series-{i}": pair for i, pair in enumerate(SERIES)}
 
 

@@ -16,7 +16,7 @@ import pathlib
 
 import numpy as np
 
-from report.figures import thinned
+from report.figures import height_limits, thinned
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "viewer"
 # Of a scene, and of all scenes of the page together: they stay below about 8 MB.
@@ -60,7 +60,7 @@ def scene(sequence, variant, run, most_poses, most_points):
         "seed": run.seed,
         "box_low": [round(float(v), 4) for v in low],
         "box_size": [round(float(v), 4) for v in size],
-        "heights": height_limits(points),
+        "heights": [round(float(z), 3) for z in height_limits(points)] if len(points) else [0, 1],
         "view": view_limits(local[:, :3], points),
         "stamps": encoded(poses[:, 0] - poses[0, 0], "<f4"),
         "poses": encoded(local, "<f4"),
@@ -75,13 +75,6 @@ def errors_at(stamps, errors):
     """The error of the matched pose of the same stamp, NaN where the pose was not matched."""
     indices = np.searchsorted(errors.stamps, stamps).clip(0, len(errors.stamps) - 1)
     return np.where(errors.stamps[indices] == stamps, errors.translation[indices], np.nan)
-
-
-def height_limits(points):
-    if not len(points):
-        return [0.0, 1.0]
-    low, high = np.percentile(points[:, 2], [5, 95])
-    return [round(float(low), 3), round(float(max(high, low + 1)), 3)]
 
 
 def view_limits(positions, points):

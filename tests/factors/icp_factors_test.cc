@@ -8,8 +8,10 @@
 #include <cmath>
 
 #include "radive/factors/doppler_motion_factor.h"
+#include "radive/factors/gicp_factor.h"
 #include "radive/factors/point_to_plane_factor.h"
 #include "radive/factors/point_to_point_factor.h"
+#include "radive/geometry/sqrt_information.h"
 #include "tests/factors/pose_factor_test_utils.h"
 
 namespace radive {
@@ -57,6 +59,29 @@ TEST(PointToPlaneFactor, ResidualIsInStandardDeviations) {
 TEST(PointToPlaneFactor, AutodiffMatchesNumeric) {
   ExpectAutodiffMatchesNumeric(CostPtr(
       PointToPlaneFactor::Create({1.0, 2.0, 3.0}, {-4.0, 5.0, 6.0}, {0.48, 0.6, 0.64}, 0.5)));
+}
+
+TEST(GicpFactor, IsZeroOnTheNeighbour) {
+  const CostPtr cost(
+      GicpFactor::Create({1.0, 2.0, 3.0}, {8.0, 1.0, 3.0}, Eigen::Matrix3d::Identity()));
+  EXPECT_LT(Residuals(cost, kQuarterTurn).norm(), 1e-14);
+}
+
+// Covariance L L^T with L = [2 0 0; 1 3 0; -1 2 4]: the gap (2, 7, 1) m is L (1, 2, -0.5).
+TEST(GicpFactor, ResidualIsInStandardDeviations) {
+  Eigen::Matrix3d covariance;
+  covariance << 4.0, 2.0, -2.0, 2.0, 10.0, 5.0, -2.0, 5.0, 21.0;
+  const CostPtr cost(
+      GicpFactor::Create({1.0, 2.0, 3.0}, {6.0, -6.0, 2.0}, SqrtInformation<3>(covariance)));
+  const Eigen::Vector3d expected(1.0, 2.0, -0.5);
+  EXPECT_LT((Residuals(cost, kQuarterTurn) - expected).norm(), 1e-13);
+}
+
+TEST(GicpFactor, AutodiffMatchesNumeric) {
+  Eigen::Matrix3d covariance;
+  covariance << 4.0, 2.0, -2.0, 2.0, 10.0, 5.0, -2.0, 5.0, 21.0;
+  ExpectAutodiffMatchesNumeric(CostPtr(
+      GicpFactor::Create({1.0, 2.0, 3.0}, {-4.0, 5.0, 6.0}, SqrtInformation<3>(covariance))));
 }
 
 // From the origin, heading along y, 2 m along y in 0.2 s: 10 m/s ahead. A return straight ahead

@@ -128,7 +128,7 @@ class Viewer {
     const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
     const width = Math.max(size.x, size.y) / Math.min(this.camera.aspect, 2.2);
     const depth = Math.min(size.x, size.y);
-    const distance = Math.max(25, (0.6 * Math.max(width, depth)) / tangent);
+    const distance = Math.max(25, (0.64 * Math.max(width, depth)) / tangent);
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(direction.normalize(), distance);
     this.controls.update();

@@ -61,7 +61,6 @@ export class World extends Group {
     this.past = line(3);
     this.future = line(1.2);
     this.truth = line(5);
-    this.truth.material.opacity = 0.55;
     this.faint = new Points(
       new BufferGeometry(),
       new PointsMaterial({ size: 1.5, sizeAttenuation: false, transparent: true, opacity: 0.16 }),
@@ -88,7 +87,6 @@ export class World extends Group {
   setColours(ink, estimate, truth) {
     this.past.material.color.set(estimate);
     this.future.material.color.set(estimate);
-    this.future.material.opacity = 0.45;
     this.nose.material.color.set(estimate);
     this.truth.material.color.set(truth);
     this.faint.material.color.set(ink);
