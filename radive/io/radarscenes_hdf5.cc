@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -63,7 +64,11 @@ std::string NamesOf(const std::vector<int>& radars) {
 
 std::optional<fs::path> FindRadarScenesHdf5(const fs::path& path, const std::string& folder) {
   std::error_code ignored;
-  if (fs::is_regular_file(path, ignored)) return path;
+  if (fs::is_regular_file(path, ignored)) {
+    std::string start(4, '\0');
+    std::ifstream(path, std::ios::binary).read(start.data(), 4);
+    return start == "\x89HDF" ? std::make_optional(path) : std::nullopt;
+  }
   const fs::path file = path / folder / "radar_data.h5";
   return fs::is_regular_file(file, ignored) ? std::make_optional(file) : std::nullopt;
 }

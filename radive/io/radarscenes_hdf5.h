@@ -19,8 +19,8 @@
 
 namespace radive {
 
-// The file with the radar data of a RadarScenes sequence as published: `path` itself, or
-// radar_data.h5 in it or in that folder below it. Nothing when it is not there.
+// The file with the radar data of a RadarScenes sequence as published: `path` itself, if it begins
+// as one, or radar_data.h5 in it or in that folder below it. Nothing when it is not there.
 std::optional<std::filesystem::path> FindRadarScenesHdf5(const std::filesystem::path& path,
                                                          const std::string& folder = "");
 

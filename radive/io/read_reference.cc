@@ -238,7 +238,7 @@ bool ReadDicp(const fs::path& path, Reference* reference, std::string* error) {
 bool ReadRadarScenes(const fs::path& path, Reference* reference, std::string* error) {
   std::error_code ignored;
   const std::optional<fs::path> hdf5 = FindRadarScenesHdf5(path);
-  if (hdf5 && hdf5->extension() == ".h5") {
+  if (hdf5) {
     return ReadPoses(ReadRadarScenesOdometry(*hdf5, error), /*has_stamps=*/true, reference);
   }
   std::vector<fs::path> files = {path};

@@ -79,10 +79,10 @@ std::optional<std::int64_t> StampOfStem(std::string_view stem) {
       return *value;
     case 15:
     case 16:
-      return *value * 1000;
+      return ParseStamp(stem, -6);
     case 12:
     case 13:
-      return *value * 1000000;
+      return ParseStamp(stem, -3);
     default:
       return std::nullopt;
   }

@@ -10,6 +10,7 @@
 #include "radive/preprocessing/azimuth_bin_filter.h"
 #include "radive/preprocessing/occlusion_counts.h"
 #include "radive/preprocessing/preprocess.h"
+#include "radive/sensor/doppler_wrap.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -24,6 +25,19 @@ std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryO
   for (const RadarReturn& radar_return : scan.returns) points.push_back(radar_return.position);
   return GaussiansOfVoxels(points, scan.weights, options.ndt);
 }
+
+namespace {
+
+// Doppler that wraps becomes what it is at a velocity: what comes behind need not know of it.
+void Unwrap(const Eigen::Vector3d& v_radar, double span, std::vector<RadarReturn>* returns) {
+  if (span == 0.0) return;
+  for (RadarReturn& entry : *returns) {
+    const double expected = -entry.position.normalized().dot(v_radar);
+    entry.doppler = expected + WrapDoppler(entry.doppler - expected, span);
+  }
+}
+
+}  // namespace
 
 std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn>& returns,
                                                    const Eigen::Vector3d& v_radar) const {
@@ -64,6 +78,7 @@ FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
     // wraps, the first scans may leave it open for long: they count as scans without Doppler.
     if (HasVelocity(result->ego_velocity)) {
       filtered.returns = StaticReturns(filtered.returns, result->ego_velocity.v_radar);
+      Unwrap(result->ego_velocity.v_radar, options_.sensor.doppler_span, &filtered.returns);
     } else if (options_.sensor.doppler_span == 0.0) {
       filtered.returns.clear();
     }
@@ -74,8 +89,7 @@ FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
       use_doppler && HasVelocity(result->ego_velocity) && options_.ego_velocity.weights
           ? DiscrepancyWeights(filtered.returns,
                                result->ego_velocity.v_radar,
-                               options_.ego_velocity.discrepancy_scale,
-                               options_.sensor.doppler_span)
+                               options_.ego_velocity.discrepancy_scale)
           : std::vector<double>(filtered.returns.size(), 1.0);
   result->num_kept = static_cast<int>(filtered.returns.size());
   result->times_ms.preprocessing += stopwatch.Lap();

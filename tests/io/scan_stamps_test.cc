@@ -85,6 +85,8 @@ TEST(StampOfStem, TellsUnitsByTheNumberOfDigits) {
                            "1693922345.12",
                            "1693922345.12345678x",
                            "1.693922345.123456789",
+                           "9999999999999999",  // beyond the year 2262
+                           "9999999999999",
                            "9999999999999999999"}) {
     EXPECT_FALSE(StampOfStem(text)) << text;
   }
