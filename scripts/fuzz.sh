@@ -4,7 +4,8 @@
 #
 #   scripts/fuzz.sh [SECONDS [TARGET...]]     60 seconds each, unless told
 #
-# As many targets side by side as there are cores (RADIVE_FUZZ_JOBS). Prints a line a target at the
+# As many targets side by side as there are cores (RADIVE_FUZZ_JOBS); RADIVE_FUZZ_SEED other than 0
+# makes runs from the same corpora alike. Prints a line a target at the
 # end: executions, coverage (edges and features) and files in its corpus. A crash ends with status 1;
 # its input is in build-fuzz/crashes/. Corpora stay in build-fuzz/corpus/ for the next time. Installs
 # clang where it is missing; ends with status 77 where that cannot be done.
@@ -16,6 +17,7 @@ shift $(($# > 0 ? 1 : 0))
 targets=("$@")
 build=${RADIVE_FUZZ_BUILD_DIR:-build-fuzz}
 jobs=${RADIVE_FUZZ_JOBS:-$(nproc)}
+random_seed=${RADIVE_FUZZ_SEED:-0}
 
 install_clang() {
   local sudo=()
@@ -52,7 +54,7 @@ fuzz() {
   mkdir -p "$build/corpus/$target" "$build/seeds/$target"
   : >"$build/$target.result"
   # An input of a fuzzer is small: one that takes long or much memory is a finding too.
-  "$programs/$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=1500 \
+  "$programs/$target" -max_total_time="$seconds" -seed="$random_seed" -timeout=20 -rss_limit_mb=1500 \
     -malloc_limit_mb=300 -print_final_stats=1 \
     -artifact_prefix="$build/crashes/$target-" \
     "$build/corpus/$target" "$build/seeds/$target" >"$log" 2>&1 || return 0
