@@ -212,6 +212,8 @@ bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* err
   // All values of the first field, then all of the second ...: back to records.
   table->num_points = size / table->stride;
   table->owned.resize(size);
+  table->data = table->owned.data();
+  if (table->num_points == 0) return true;
   const char* from = columns.data();
   for (const PointField& field : table->fields) {
     const std::size_t width = SizeOf(field.type) * field.count;
@@ -222,7 +224,6 @@ bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* err
       to += table->stride;
     }
   }
-  table->data = table->owned.data();
   return true;
 }
 

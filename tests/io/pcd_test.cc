@@ -118,6 +118,13 @@ TEST_F(PcdTest, ThePayloadIsRightAboutTheNumberOfPoints) {
   EXPECT_EQ(remarks_.size(), 2u);
 }
 
+// Found by fuzzing, as arithmetic on a null pointer.
+TEST_F(PcdTest, CompressedDataMayHoldNothing) {
+  ASSERT_TRUE(
+      Parse("FIELDS x y\nSIZE 4 4\nTYPE F F\nDATA binary_compressed\n" + std::string(8, '\0')));
+  EXPECT_EQ(table_.num_points, 0u);
+}
+
 TEST_F(PcdTest, SaysWhatIsWrong) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "line 1: the header of a PCD file ends without a DATA line"},
