@@ -103,10 +103,7 @@ std::unique_ptr<ScanSource> OpenPointFileSource(const std::filesystem::path& pat
   ScanFolderQuery query;
   query.extension = ExtensionOf(format);
   query.candidates = {".", "points", "radar", "pointclouds", "ars548/points", "eagleg7/enhanced"};
-  if (!options.folder.empty()) {
-    query.candidates = {options.folder};
-    query.name_below = options.folder;
-  }
+  if (!options.folder.empty()) query.LookOnlyIn(options.folder);
   query.rate = options.rate;
   std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
   if (!folder) return nullptr;

@@ -101,10 +101,7 @@ std::unique_ptr<ScanSource> OpenRawSource(const std::filesystem::path& path,
   }
   ScanFolderQuery query;
   query.candidates = {".", "radar", "velodyne", "training/velodyne", "radar/training/velodyne"};
-  if (!options.folder.empty()) {
-    query.candidates = {options.folder};
-    query.name_below = options.folder;
-  }
+  if (!options.folder.empty()) query.LookOnlyIn(options.folder);
   query.rate = options.rate;
   std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
   if (!folder) return nullptr;

@@ -30,6 +30,12 @@ struct ScanFolderQuery {
 
   // Scans a second [Hz], where neither times.txt nor the names give stamps.
   double rate = 10.0;
+
+  // Looks in this folder alone, as the user names it: of the input, or anywhere below.
+  void LookOnlyIn(const std::string& folder) {
+    candidates = {folder};
+    name_below = folder;
+  }
 };
 
 // A folder with one file a scan.

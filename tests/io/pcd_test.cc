@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "radive/io/lzf.h"
-#include "tests/io/point_tables.h"
+#include "tests/io/parser_test.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -20,23 +20,9 @@ using testing::Floats;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class PcdTest : public ::testing::Test {
+class PcdTest : public testing::ParserTest<decltype(&ParsePcd)> {
  protected:
-  bool Parse(const std::string& bytes) {
-    bytes_ = bytes;
-    remarks_.clear();
-    error_.clear();
-    return ParsePcd(bytes_, &table_, &remarks_, &error_);
-  }
-  // Values of the field in all points.
-  std::vector<double> Values(const std::string& name) const {
-    return testing::ValuesOf(table_, name);
-  }
-
-  std::string bytes_;
-  PointTable table_;
-  std::vector<std::string> remarks_;
-  std::string error_;
+  PcdTest() : ParserTest(&ParsePcd) {}
 };
 
 constexpr char kHeader[] =

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/io/point_tables.h"
+#include "tests/io/parser_test.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -17,22 +17,9 @@ using testing::Floats;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-class PlyTest : public ::testing::Test {
+class PlyTest : public testing::ParserTest<decltype(&ParsePly)> {
  protected:
-  bool Parse(const std::string& bytes) {
-    bytes_ = bytes;
-    remarks_.clear();
-    error_.clear();
-    return ParsePly(bytes_, &table_, &remarks_, &error_);
-  }
-  std::vector<double> Values(const std::string& name) const {
-    return testing::ValuesOf(table_, name);
-  }
-
-  std::string bytes_;
-  PointTable table_;
-  std::vector<std::string> remarks_;
-  std::string error_;
+  PlyTest() : ParserTest(&ParsePly) {}
 };
 
 constexpr char kVertices[] =
