@@ -25,6 +25,11 @@ std::vector<OptionField> NeuralMapOptions::Fields() {
           .AtMost(kMaxSdfNeighbors),
       OptionField{"softening", &softening, "m", "h of the weight 1 / (distance^2 + h^2)."}.AtLeast(
           1e-3),
+      OptionField{"noise_scale",
+                  &noise_scale,
+                  "m",
+                  "s of a return's share s^2 / (s^2 + trace of its covariance) in the map."}
+          .Above(0.0),
       OptionField{
           "max_age", &max_age, "-", "Keyframes after which an unseen neural point is forgotten."}
           .AtLeast(1),

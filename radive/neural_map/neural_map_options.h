@@ -29,6 +29,10 @@ struct NeuralMapOptions {
   int num_neighbors = 6;   // K of the interpolation
   double softening = 0.3;  // h of the inverse-distance weight 1 / (d^2 + h^2) [m]
 
+  // Returns count by their noise: with s^2 / (s^2 + trace of the measurement covariance) [m]. Near
+  // ones are exact; those from afar are blurred over metres.
+  double noise_scale = 0.3;
+
   int max_age = 30;             // points not seen for so many keyframes are forgotten
   double max_distance = 120.0;  // ... and points further than this from the radar [m]
 

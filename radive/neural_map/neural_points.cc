@@ -11,9 +11,6 @@
 namespace radive {
 namespace {
 
-// Half width of the searched block of cells.
-constexpr std::int64_t kSearchCells = 2;
-
 // Puts (index, squared distance) into its place among the nearest `limit`.
 void Insert(int index, double squared_distance, int limit, Neighbors* neighbors) {
   int at = neighbors->count;
@@ -44,10 +41,16 @@ NeuralPoints::NeuralPoints(const NeuralMapOptions& options)
   CHECK(options.IsValid(&error)) << error;
 }
 
-std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns, int index) {
+std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns,
+                                           int index,
+                                           const Eigen::Vector3d& origin) {
+  const double squared_scale = options_.noise_scale * options_.noise_scale;
+  last_keyframe_ = index;
   std::vector<int> seen;
   for (const MapReturn& entry : returns) {
-    if (!entry.position.allFinite() || !(entry.weight > 0.0)) continue;
+    if (!entry.position.allFinite()) continue;
+    const double weight = entry.weight * squared_scale / (squared_scale + entry.covariance.trace());
+    if (!(weight > 0.0)) continue;
     const Eigen::Array3d cell = CellOf(entry.position);
     const std::uint64_t key = CellKey(cell.x(), cell.y(), cell.z());
     const auto [at, is_new] = cells_.try_emplace(key, static_cast<std::int32_t>(points_.size()));
@@ -67,13 +70,14 @@ std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns
       point.keyframe_weight = 0.0;
       seen.push_back(at->second);
     }
-    if (entry.weight > point.keyframe_weight) {
-      point.certainty += entry.weight - point.keyframe_weight;
-      point.keyframe_weight = entry.weight;
+    if (weight > point.keyframe_weight) {
+      point.certainty += weight - point.keyframe_weight;
+      point.keyframe_weight = weight;
     }
-    point.weight_sum += entry.weight;
-    const double gain = entry.weight / point.weight_sum;
+    point.weight_sum += weight;
+    const double gain = weight / point.weight_sum;
     point.covariance += gain * (entry.covariance - point.covariance);
+    point.to_radar += gain * ((origin - entry.position).normalized() - point.to_radar);
     if (options_.position == NeuralMapOptions::Position::kMean) {
       point.position += gain * (entry.position - point.position);
     }
@@ -105,6 +109,7 @@ void NeuralPoints::Prune(const Eigen::Vector3d& center, int index) {
 }
 
 void NeuralPoints::Clear() {
+  last_keyframe_ = -1;
   points_.clear();
   features_.clear();
   cells_.clear();
@@ -116,6 +121,7 @@ void NeuralPoints::Transform(const Rigid3& T_new_old) {
     point.position = T_new_old * point.position;
     point.orientation = (point.orientation * T_new_old.rotation.conjugate()).normalized();
     point.covariance = R * point.covariance * R.transpose();
+    point.to_radar = R * point.to_radar;
     const Eigen::Array3d cell = CellOf(point.position);
     point.cell = CellKey(cell.x(), cell.y(), cell.z());
   }
@@ -134,24 +140,20 @@ void NeuralPoints::Rebuild() {
 Neighbors NeuralPoints::Nearest(const Eigen::Vector3d& position) const {
   Neighbors neighbors;
   if (!position.allFinite()) return neighbors;
-  const Eigen::Array3d cell = CellOf(position);
-  const std::int64_t x = static_cast<std::int64_t>(cell.x());
-  const std::int64_t y = static_cast<std::int64_t>(cell.y());
-  const std::int64_t z = static_cast<std::int64_t>(cell.z());
-  const double max_squared_distance = 4.0 * options_.resolution * options_.resolution;
-  for (std::int64_t dx = -kSearchCells; dx <= kSearchCells; ++dx) {
-    for (std::int64_t dy = -kSearchCells; dy <= kSearchCells; ++dy) {
-      for (std::int64_t dz = -kSearchCells; dz <= kSearchCells; ++dz) {
-        const auto at = cells_.find(CellKey(x + dx, y + dy, z + dz));
-        for (int k = at == cells_.end() ? -1 : at->second; k >= 0; k = point(k).next) {
-          const double squared_distance = (point(k).position - position).squaredNorm();
-          if (squared_distance > max_squared_distance) continue;
-          Insert(k, squared_distance, options_.num_neighbors, &neighbors);
-        }
-      }
-    }
-  }
+  ForEachNear(position, [&](int k, double squared_distance) {
+    Insert(k, squared_distance, options_.num_neighbors, &neighbors);
+  });
   return neighbors;
+}
+
+double NeuralPoints::Support(const Eigen::Vector3d& position) const {
+  if (!position.allFinite()) return 0.0;
+  const double inverse = 0.5 * inverse_resolution_ * inverse_resolution_;
+  double support = 0.0;
+  ForEachNear(position, [&](int k, double squared_distance) {
+    support += std::sqrt(point(k).certainty) * std::exp(-inverse * squared_distance);
+  });
+  return support;
 }
 
 int NeuralPoints::At(const Eigen::Vector3d& position) const {

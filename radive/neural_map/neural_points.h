@@ -27,9 +27,11 @@ struct NeuralPoint {
   int created = 0;      // index of the first keyframe that saw it
   int last_update = 0;  // ... and of the last
 
-  // The returns in its cell: sum of weights [-], and their mean measurement covariance [m^2].
+  // The returns in its cell: sum of weights [-], their mean measurement covariance [m^2], and the
+  // mean direction from them to the radar, not of unit length [-].
   double weight_sum = 0.0;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d to_radar = Eigen::Vector3d::Zero();
 
   std::uint64_t cell = 0;        // key of its cell
   double keyframe_weight = 0.0;  // largest weight in the last keyframe
@@ -56,10 +58,13 @@ class NeuralPoints {
   // `options` must be valid.
   explicit NeuralPoints(const NeuralMapOptions& options);
 
-  // Takes in the returns of keyframe `index` (must not decrease). Cells that had no point get one,
-  // with the feature `initial_feature` of all zeros. Returns that are not finite or have no
-  // positive weight are left out. Returns the points that were seen, ascending.
-  std::vector<int> AddKeyframe(const std::vector<MapReturn>& returns, int index);
+  // Takes in the returns of keyframe `index` (must not decrease), measured from `origin` [m]. Cells
+  // that had no point get one, with a feature of all zeros. A return counts with its weight times
+  // s^2 / (s^2 + trace of its covariance), s the option `noise_scale`. Returns that are not finite
+  // or have no positive weight are left out. Returns the points that were seen, ascending.
+  std::vector<int> AddKeyframe(const std::vector<MapReturn>& returns,
+                               int index,
+                               const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
   // Forgets points that are too old or too far from `center` [m]; indices change.
   void Prune(const Eigen::Vector3d& center, int index);
@@ -70,9 +75,38 @@ class NeuralPoints {
   // the orientations).
   void Transform(const Rigid3& T_new_old);
 
-  // The K nearest points among those in the 5 x 5 x 5 cells about `position`: exact up to twice
-  // the resolution.
+  // The K nearest points within twice the resolution of `position`.
   Neighbors Nearest(const Eigen::Vector3d& position) const;
+
+  // How much the map trusts that something is there: sum of sqrt(c_k) exp(-d_k^2 / (2 res^2)) over
+  // the points within twice the resolution. The root makes a surface out of many points worth more
+  // than one cell that many keyframes hit, such as a ghost that stands still. At a lone point that
+  // one keyframe saw at most 1 [-].
+  double Support(const Eigen::Vector3d& position) const;
+
+  // Calls function(k, squared distance) for every point within twice the resolution of `position`.
+  template <typename Function>
+  void ForEachNear(const Eigen::Vector3d& position, Function&& function) const {
+    const Eigen::Array3d cell = CellOf(position);
+    const std::int64_t x = static_cast<std::int64_t>(cell.x());
+    const std::int64_t y = static_cast<std::int64_t>(cell.y());
+    const std::int64_t z = static_cast<std::int64_t>(cell.z());
+    const double max_squared_distance = 4.0 * options_.resolution * options_.resolution;
+    for (std::int64_t dx = -kSearchCells; dx <= kSearchCells; ++dx) {
+      for (std::int64_t dy = -kSearchCells; dy <= kSearchCells; ++dy) {
+        for (std::int64_t dz = -kSearchCells; dz <= kSearchCells; ++dz) {
+          const auto at = cells_.find(CellKey(x + dx, y + dy, z + dz));
+          for (int k = at == cells_.end() ? -1 : at->second; k >= 0; k = point(k).next) {
+            const double squared_distance = (point(k).position - position).squaredNorm();
+            if (squared_distance <= max_squared_distance) function(k, squared_distance);
+          }
+        }
+      }
+    }
+  }
+
+  // Index of the last keyframe; -1 before the first.
+  int last_keyframe() const { return last_keyframe_; }
 
   // The point whose cell holds `position`; -1: none.
   int At(const Eigen::Vector3d& position) const;
@@ -102,8 +136,12 @@ class NeuralPoints {
   }
   void Rebuild();
 
+  // Half width of the searched block of cells.
+  static constexpr std::int64_t kSearchCells = 2;
+
   const NeuralMapOptions options_;
   const double inverse_resolution_;
+  int last_keyframe_ = -1;
   std::vector<NeuralPoint> points_;
   std::vector<double> features_;
   tsl::robin_map<std::uint64_t, std::int32_t, CellKeyHash> cells_;

@@ -16,10 +16,6 @@ struct SdfValue {
   int num_neighbors = 0;  // 0: nothing is known here, and all else is zero
   double value = 0.0;     // S, positive on the side that the sensor saw [m]
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  // of S, map frame [-]
-
-  // Certainty of the neighbours, each faded by its distance: sum of c_k h^2 / (d_k^2 + h^2). A
-  // lone point that one keyframe saw has at most 1 [-].
-  double support = 0.0;
 };
 
 // Weight of a neighbour in the interpolation: the paper's 1 / d^2, softened by h, so that at a
@@ -54,7 +50,6 @@ SdfValue QuerySdf(const NeuralPoints& map,
         weight * (point.orientation.conjugate() * by_position) + distance * weight_gradient;
     weight_sum += weight;
     weight_sum_gradient += weight_gradient;
-    result.support += point.certainty * softening * softening * weight;
   }
   if (neighbors.count == 0) return result;
   result.value /= weight_sum;

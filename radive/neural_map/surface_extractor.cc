@@ -11,6 +11,12 @@
 #include "radive/neural_map/sdf_query.h"
 
 namespace radive {
+namespace {
+
+// Fewer neural points are no surface.
+constexpr int kMinNeighbors = 3;
+
+}  // namespace
 
 std::vector<OptionField> SurfaceOptions::Fields() {
   return {
@@ -20,18 +26,24 @@ std::vector<OptionField> SurfaceOptions::Fields() {
        "Points with a small |S|, or as many points of the largest support (for comparison)."},
       OptionField{"threshold", &threshold, "m", "tau_s: surface points have |S| at most this."}
           .Above(0.0),
-      OptionField{"min_support",
-                  &min_support,
-                  "-",
-                  "Least certainty of a surface point and its neighbours, in keyframes."}
+      OptionField{
+          "min_support",
+          &min_support,
+          "-",
+          "Least support of a surface point; one that one keyframe saw alone has 1 at most."}
           .AtLeast(0.0),
+      OptionField{"trial_keyframes",
+                  &trial_keyframes,
+                  "-",
+                  "Keyframes for which a new point is kept, whatever is known of it."}
+          .AtLeast(0),
       OptionField{"projection",
                   &projection,
                   "-",
                   "Share of the way to the zero level set that points are moved."}
           .AtLeast(0.0)
           .AtMost(1.0),
-      {"soft", &soft, "-", "Points lose weight with |S| instead of being cut at the threshold."},
+      {"soft", &soft, "-", "Points lose weight with |S| and little support instead of being cut."},
   };
 }
 
@@ -55,7 +67,8 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
       surface.index = k;
       surface.position = point.position;
       surface.sdf = field.value;
-      surface.support = field.support;
+      surface.age = map.last_keyframe() - point.created;
+      if (field.num_neighbors >= kMinNeighbors) surface.support = map.Support(point.position);
       const double slope = field.gradient.norm();
       surface.normal = slope > 1e-6 ? Eigen::Vector3d(field.gradient / slope)
                                     : point.orientation.conjugate() * Eigen::Vector3d::UnitZ();
@@ -67,11 +80,16 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
 
 namespace {
 
-// As many points as pass the threshold, those of the largest support.
+bool IsOnSurface(const SurfacePoint& point, const SurfaceOptions& options) {
+  return point.age < options.trial_keyframes ||
+         (point.support >= options.min_support && std::abs(point.sdf) <= options.threshold);
+}
+
+// As many points as lie on a surface, those of the largest support.
 std::vector<SurfacePoint> DensestPoints(std::vector<SurfacePoint> points,
                                         const SurfaceOptions& options) {
   const auto count = std::count_if(points.begin(), points.end(), [&](const SurfacePoint& point) {
-    return point.support >= options.min_support && std::abs(point.sdf) <= options.threshold;
+    return IsOnSurface(point, options);
   });
   std::stable_sort(points.begin(), points.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
     return a.support > b.support;
@@ -83,20 +101,30 @@ std::vector<SurfacePoint> DensestPoints(std::vector<SurfacePoint> points,
   return points;
 }
 
+double SoftWeight(const SurfacePoint& point, const SurfaceOptions& options) {
+  const bool has_sdf = options.criterion == SurfaceOptions::Criterion::kSdf;
+  const double ratio = has_sdf ? point.sdf / options.threshold : 0.0;
+  return std::exp(-0.5 * ratio * ratio) * point.support / (point.support + options.min_support);
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> SelectSurface(const std::vector<SurfacePoint>& points,
                                         const SurfaceOptions& options) {
-  if (options.criterion == SurfaceOptions::Criterion::kDensity) {
-    return DensestPoints(points, options);
-  }
+  const bool has_sdf = options.criterion == SurfaceOptions::Criterion::kSdf;
+  if (!has_sdf && !options.soft) return DensestPoints(points, options);
   std::vector<SurfacePoint> surface;
   for (SurfacePoint point : points) {
-    if (!(point.support >= options.min_support)) continue;
-    if (!options.soft && !(std::abs(point.sdf) <= options.threshold)) continue;
-    const double ratio = point.sdf / options.threshold;
-    point.weight = options.soft ? std::exp(-0.5 * ratio * ratio) : 1.0;
-    point.position -= options.projection * point.sdf * point.normal;
+    if (options.soft) {
+      point.weight = SoftWeight(point, options);
+      if (!(point.weight > 0.0)) continue;
+    } else if (!IsOnSurface(point, options)) {
+      continue;
+    }
+    // A field that is further off than that does not know the point.
+    if (has_sdf && std::abs(point.sdf) <= options.threshold) {
+      point.position -= options.projection * point.sdf * point.normal;
+    }
     surface.push_back(point);
   }
   return surface;

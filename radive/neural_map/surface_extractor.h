@@ -18,8 +18,9 @@ struct SurfacePoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // map frame [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // unit, to the side the sensor saw
   double sdf = 0.0;                                    // S at the neural point [m]
-  double support = 0.0;                                // see SdfValue [-]
-  double weight = 1.0;                                 // mean return weight, faded if soft [-]
+  double support = 0.0;  // NeuralPoints::Support(); 0 with fewer than three neighbours [-]
+  double weight = 1.0;   // trust, below 1 with soft limits [-]
+  int age = 0;           // keyframes since it was first seen
 };
 
 // S of every neural point (normal of unit length; the point's own z axis where S is flat). Points

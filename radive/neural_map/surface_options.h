@@ -18,14 +18,18 @@ struct SurfaceOptions {
   };
   Criterion criterion = Criterion::kSdf;
 
-  double threshold = 0.1;    // tau_s: |S| at most this [m]
-  double min_support = 2.0;  // certainty of the point and its neighbours at least this [-]
+  double threshold = 0.5;    // tau_s: |S| at most this [m]
+  double min_support = 0.7;  // NeuralPoints::Support() at least this [-]
+
+  // New points are kept for so many keyframes without these two: around a corner they are all that
+  // there is to see, and have had no chance of support.
+  int trial_keyframes = 8;
 
   // Share of the way to the surface that a point is moved, x - gain S n [-].
-  double projection = 0.0;
+  double projection = 1.0;
 
-  // Instead of a hard threshold: weights fall as exp(-S^2 / (2 threshold^2)), and nothing is left
-  // out for its distance.
+  // Instead of being cut, points weigh exp(-S^2 / (2 threshold^2)) a / (a + min_support), a their
+  // support.
   bool soft = false;
 
   std::vector<OptionField> Fields();

@@ -80,10 +80,11 @@ void SurfaceRecord::UpdateGrid(const NeuralPoints& map,
               continue;
             }
             const Eigen::Vector3i vertex(x, y, z);
-            const SdfValue field = QuerySdf(map, kernel, grid_->Position(vertex));
-            if (field.num_neighbors > 0 && field.support >= min_support_) {
-              grid_->Set(vertex,
-                         {static_cast<float>(field.value), static_cast<float>(field.support)});
+            const Eigen::Vector3d position = grid_->Position(vertex);
+            const SdfValue field = QuerySdf(map, kernel, position);
+            const double support = map.Support(position);
+            if (field.num_neighbors > 0 && support >= min_support_) {
+              grid_->Set(vertex, {static_cast<float>(field.value), static_cast<float>(support)});
             } else {
               grid_->Erase(vertex);
             }

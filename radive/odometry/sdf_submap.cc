@@ -51,6 +51,7 @@ class SurfaceWorker {
   TrainedSubmap Add(const Keyframe& keyframe) {
     MapKeyframe entry;
     entry.origin = keyframe.T_world_radar.translation;
+    entry.is_planar = keyframe.is_planar;
     const Eigen::Matrix3d R = keyframe.T_world_radar.RotationMatrix();
     for (std::size_t i = 0; i < keyframe.returns.size(); ++i) {
       const Eigen::Vector3d& p_radar = keyframe.returns[i].position;

@@ -58,7 +58,8 @@ void AddDrive(const DriveLesson& drive,
     if ((T_world_radar.translation - last).norm() < kKeyframeDistance) continue;
     last = T_world_radar.translation;
     LabelScan label_scan;
-    label_scan.origin = last + offset;
+    const Eigen::Vector3d label_scan_origin = last + offset;
+    label_scan.origin = label_scan_origin;
     std::vector<MapReturn> returns;
     for (std::size_t i = 0; i < scan.returns.size(); ++i) {
       // Without noise: a decoder of noisy labels learns to mistrust the local planes, and then does
@@ -75,8 +76,8 @@ void AddDrive(const DriveLesson& drive,
     while (static_cast<int>(scans.size()) > training.label_window) scans.pop_front();
     std::vector<const LabelScan*> window;
     for (const LabelScan& entry : scans) window.push_back(&entry);
-    const SdfLabels labels(window, training);
-    const std::vector<int> seen = lessons->map.AddKeyframe(returns, index);
+    const std::vector<int> seen = lessons->map.AddKeyframe(returns, index, label_scan_origin);
+    const SdfLabels labels(window, lessons->map, training);
     InitialisePoints(&lessons->map, seen, labels, index);
     if (++index % kLessonEvery == 0) {
       for (const SdfSample& sample : DrawSamples(

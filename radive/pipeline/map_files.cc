@@ -124,10 +124,12 @@ std::vector<MapFile> MakeMapFiles(const OutputOptions& output,
   if (output.map == OutputOptions::Map::kPoints) map.bytes = PointsPly(points);
   if (output.NeedsSurface()) {
     std::vector<SurfacePoint> all, selected;
+    SurfaceOptions settled = surface;
+    settled.trial_keyframes = 0;  // registration cannot wait for a second look, a map can
     for (const auto& [T_world_map, record] : surfaces) {
       const std::vector<SurfacePoint> points_of_radar = InWorld(T_world_map, record.points());
       all.insert(all.end(), points_of_radar.begin(), points_of_radar.end());
-      const std::vector<SurfacePoint> extracted = SelectSurface(points_of_radar, surface);
+      const std::vector<SurfacePoint> extracted = SelectSurface(points_of_radar, settled);
       selected.insert(selected.end(), extracted.begin(), extracted.end());
     }
     map.bytes = SurfacePointsPly(selected);

@@ -14,6 +14,7 @@ namespace radive {
 namespace {
 
 constexpr std::size_t kMaxLabelPoints = 64;
+constexpr double kMinSmoothWidth = 0.2;  // of the neural points of a smooth plane, in kernels
 
 // The points as nanoflann wants to see them.
 struct Cloud {
@@ -51,6 +52,63 @@ Cloud MakeCloud(const std::vector<const LabelScan*>& window) {
   return cloud;
 }
 
+// Weighted moments of points about a position, and the plane through them.
+class PlaneSums {
+ public:
+  // Sums are taken relative to `origin`: no cancellation far from that of the map.
+  explicit PlaneSums(const Eigen::Vector3d& origin) : origin_(origin) {}
+
+  // `trust`: what the point adds to the mean weight of the plane.
+  void Add(const Eigen::Vector3d& position,
+           double weight,
+           double trust,
+           const Eigen::Vector3d& to_radar) {
+    const Eigen::Vector3d p = position - origin_;
+    sum_ += weight * p;
+    outer_ += weight * p * p.transpose();
+    to_radar_ += weight * to_radar;
+    weight_ += weight;
+    trust_ += trust;
+    ++count_;
+  }
+
+  // Nothing where the points are fewer than three or nearly in a line, with a standard deviation
+  // below `min_width` [m] across it: then any plane through the line would do. Points of a planar
+  // sensor give an upright plane through their line in x and y.
+  std::optional<LocalPlane> Plane(double min_width, bool is_planar) const {
+    if (count_ < 3 || !(weight_ > 0.0)) return std::nullopt;
+    const Eigen::Vector3d mean = sum_ / weight_;
+    const Eigen::Matrix3d S = outer_ / weight_ - mean * mean.transpose();
+    const double min_variance = min_width * min_width;
+    LocalPlane plane;
+    plane.point = origin_ + mean;
+    plane.weight = trust_ / count_;
+    if (is_planar) {
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+      axes.computeDirect(Eigen::Matrix2d(S.topLeftCorner<2, 2>()));
+      if (axes.eigenvalues()[1] < min_variance) return std::nullopt;
+      plane.normal << axes.eigenvectors().col(0), 0.0;
+    } else {
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+      axes.computeDirect(S);
+      if (axes.eigenvalues()[1] < min_variance) return std::nullopt;
+      plane.normal = axes.eigenvectors().col(0);
+    }
+    if (plane.normal.dot(to_radar_) < 0.0) plane.normal = -plane.normal;
+    if (!plane.normal.allFinite()) return std::nullopt;
+    return plane;
+  }
+
+ private:
+  const Eigen::Vector3d origin_;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d outer_ = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d to_radar_ = Eigen::Vector3d::Zero();
+  double weight_ = 0.0;
+  double trust_ = 0.0;
+  int count_ = 0;
+};
+
 }  // namespace
 
 struct SdfLabels::Tree {
@@ -68,8 +126,12 @@ struct SdfLabels::Tree {
   const KdTree index;
 };
 
-SdfLabels::SdfLabels(const std::vector<const LabelScan*>& window, const SdfTrainingOptions& options)
-    : options_(options) {
+SdfLabels::SdfLabels(const std::vector<const LabelScan*>& window,
+                     const NeuralPoints& map,
+                     const SdfTrainingOptions& options,
+                     bool is_planar)
+    : map_(map), options_(options), is_planar_(is_planar) {
+  if (IsSmooth()) return;
   Cloud cloud = MakeCloud(window);
   if (!cloud.points.empty()) tree_ = std::make_unique<Tree>(std::move(cloud));
 }
@@ -81,47 +143,47 @@ int SdfLabels::num_points() const {
 }
 
 std::optional<LocalPlane> SdfLabels::PlaneAt(const Eigen::Vector3d& position) const {
-  if (tree_ == nullptr || !position.allFinite()) return std::nullopt;
+  if (!position.allFinite()) return std::nullopt;
+  return IsSmooth() ? SmoothPlane(position) : NearestPlane(position);
+}
+
+std::optional<LocalPlane> SdfLabels::NearestPlane(const Eigen::Vector3d& position) const {
+  if (tree_ == nullptr) return std::nullopt;
   std::array<std::uint32_t, kMaxLabelPoints> found;
   std::array<double, kMaxLabelPoints> squared_distance;
   const std::size_t count =
       tree_->Nearest(position, options_.label_points, &found, &squared_distance);
-  if (count < 3) return std::nullopt;
-
-  // Sums relative to `position`: no cancellation far from the origin.
-  double weight_sum = 0.0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d outer = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d to_radar = Eigen::Vector3d::Zero();
+  PlaneSums sums(position);
   for (std::size_t i = 0; i < count; ++i) {
     const Cloud::Point& point = tree_->cloud.points[found[i]];
-    const Eigen::Vector3d p = point.position - position;
-    mean += point.weight * p;
-    outer += point.weight * p * p.transpose();
-    weight_sum += point.weight;
-    to_radar += point.weight * (tree_->cloud.origins[point.scan] - point.position).normalized();
+    sums.Add(point.position,
+             point.weight,
+             point.weight,
+             (tree_->cloud.origins[point.scan] - point.position).normalized());
   }
-  mean /= weight_sum;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-  axes.computeDirect(Eigen::Matrix3d(outer / weight_sum - mean * mean.transpose()));
-  LocalPlane plane;
-  plane.point = position + mean;
-  plane.normal = axes.eigenvectors().col(0);
-  plane.weight = weight_sum / static_cast<double>(count);
-  if (plane.normal.dot(to_radar) < 0.0) plane.normal = -plane.normal;
-  if (!plane.normal.allFinite()) return std::nullopt;
-  return plane;
+  return sums.Plane(0.0, is_planar_);
+}
+
+std::optional<LocalPlane> SdfLabels::SmoothPlane(const Eigen::Vector3d& position) const {
+  const double inverse = 0.5 / (options_.label_kernel * options_.label_kernel);
+  PlaneSums sums(position);
+  map_.ForEachNear(position, [&](int k, double squared_distance) {
+    const NeuralPoint& point = map_.point(k);
+    const double weight = point.weight_sum * std::exp(-inverse * squared_distance);
+    sums.Add(point.position, weight, 1.0, point.to_radar);
+  });
+  return sums.Plane(kMinSmoothWidth * options_.label_kernel, is_planar_);
 }
 
 std::optional<SdfLabel> SdfLabels::At(const Eigen::Vector3d& position) const {
-  if (tree_ == nullptr || !position.allFinite()) return std::nullopt;
   SdfLabel label;
-  if (options_.label == SdfTrainingOptions::Label::kPlane) {
+  if (options_.label == SdfTrainingOptions::Label::kPlane || IsSmooth()) {
     const std::optional<LocalPlane> plane = PlaneAt(position);
     if (!plane) return std::nullopt;
     label.distance = plane->normal.dot(position - plane->point);
     label.weight = plane->weight;
   } else {
+    if (tree_ == nullptr || !position.allFinite()) return std::nullopt;
     std::array<std::uint32_t, kMaxLabelPoints> found;
     std::array<double, kMaxLabelPoints> squared_distance;
     tree_->Nearest(position, 1, &found, &squared_distance);

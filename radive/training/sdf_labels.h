@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "radive/neural_map/neural_points.h"
 #include "radive/training/sdf_training_options.h"
 
 namespace radive {
@@ -25,18 +26,23 @@ struct SdfLabel {
   double weight = 1.0;    // mean weight of the returns it comes from [-]
 };
 
-// The plane of the scan points near a position.
+// The plane of what the scans saw near a position.
 struct LocalPlane {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // weighted mean [m]
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, towards the radar
   double weight = 1.0;                                // mean weight [-]
 };
 
-// Labels from the points of a window of keyframes.
+// Labels from the points of a window of keyframes or, smooth ones, from the neural points that all
+// keyframes have left.
 class SdfLabels {
  public:
-  // Points that are not finite or have no positive weight are left out.
-  SdfLabels(const std::vector<const LabelScan*>& window, const SdfTrainingOptions& options);
+  // Points that are not finite or have no positive weight are left out. `map` is asked for smooth
+  // labels only and must outlive this object. `is_planar`: the radar measures no elevation.
+  SdfLabels(const std::vector<const LabelScan*>& window,
+            const NeuralPoints& map,
+            const SdfTrainingOptions& options,
+            bool is_planar = false);
   ~SdfLabels();
   SdfLabels(const SdfLabels&) = delete;
   SdfLabels& operator=(const SdfLabels&) = delete;
@@ -46,12 +52,20 @@ class SdfLabels {
   // Nothing when there are too few points: three for a plane, else one.
   std::optional<SdfLabel> At(const Eigen::Vector3d& position) const;
 
-  // The plane of the `label_points` nearest scan points; nothing with fewer than three points.
+  // The plane of the `label_points` nearest scan points or, with smooth labels, of the neural
+  // points nearby; nothing with fewer than three points.
   std::optional<LocalPlane> PlaneAt(const Eigen::Vector3d& position) const;
 
  private:
   struct Tree;
+  std::optional<LocalPlane> NearestPlane(const Eigen::Vector3d& position) const;
+  std::optional<LocalPlane> SmoothPlane(const Eigen::Vector3d& position) const;
+
+  bool IsSmooth() const { return options_.label == SdfTrainingOptions::Label::kSmooth; }
+
+  const NeuralPoints& map_;
   const SdfTrainingOptions options_;
+  const bool is_planar_;
   std::unique_ptr<Tree> tree_;
 };
 

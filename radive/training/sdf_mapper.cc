@@ -36,7 +36,7 @@ SdfMapper::SdfMapper(const NeuralMapOptions& map_options,
 TrainingResult SdfMapper::AddKeyframe(const MapKeyframe& keyframe) {
   const int index = num_keyframes_++;
   map_.Prune(keyframe.origin, index);
-  seen_ = map_.AddKeyframe(keyframe.returns, index);
+  seen_ = map_.AddKeyframe(keyframe.returns, index, keyframe.origin);
 
   LabelScan scan;
   scan.origin = keyframe.origin;
@@ -49,7 +49,8 @@ TrainingResult SdfMapper::AddKeyframe(const MapKeyframe& keyframe) {
   scans_.push_back(std::move(scan));
   while (static_cast<int>(scans_.size()) > training_options_.label_window) scans_.pop_front();
 
-  const SdfLabels labels(Window(), training_options_);
+  is_planar_ = keyframe.is_planar;
+  const SdfLabels labels(Window(), map_, training_options_, is_planar_);
   InitialisePoints(&map_, seen_, labels, index);
   const std::vector<SdfSample> samples = DrawSamples(map_, seen_, labels, index, training_options_);
   if (index < training_options_.joint_keyframes) TrainJointly(samples);
@@ -86,7 +87,7 @@ double SdfMapper::MedianNeighbors() const {
 }
 
 std::vector<SdfSample> SdfMapper::HeldOutSamples(const SdfTrainingOptions& options) const {
-  const SdfLabels labels(Window(), options);
+  const SdfLabels labels(Window(), map_, options, is_planar_);
   // No keyframe has a negative index: other draws than in training.
   return DrawSamples(map_, seen_, labels, -1 - num_keyframes_, options);
 }

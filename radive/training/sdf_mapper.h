@@ -19,6 +19,7 @@ namespace radive {
 struct MapKeyframe {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // of the radar, map frame [m]
   std::vector<MapReturn> returns;
+  bool is_planar = false;  // the radar measures no elevation
 };
 
 // Builds a neural map keyframe by keyframe: neural points from the returns, labels from the last
@@ -53,6 +54,7 @@ class SdfMapper {
   std::deque<LabelScan> scans_;
   std::vector<int> seen_;  // by the last keyframe
   int num_keyframes_ = 0;
+  bool is_planar_ = false;  // the last keyframe
 };
 
 }  // namespace radive

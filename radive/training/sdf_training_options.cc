@@ -8,12 +8,18 @@ namespace radive {
 std::vector<OptionField> SdfTrainingOptions::Fields() {
   std::vector<OptionField> fields = {
       {"label",
-       MakeChoice(&label, {"unsigned", "ray", "plane"}),
+       MakeChoice(&label, {"unsigned", "ray", "plane", "smooth"}),
        "-",
-       "What a sample learns: distance to the nearest scan point, along its ray, or to a plane."},
+       "What a sample learns: distance to the nearest scan point, along its ray, to the plane of "
+       "the nearest, or to that of the neural points nearby."},
       OptionField{"label_points", &label_points, "-", "Scan points that a plane is fitted to."}
           .AtLeast(3)
           .AtMost(64),
+      OptionField{"label_kernel",
+                  &label_kernel,
+                  "m",
+                  "Neural points count less for a smooth plane by a Gaussian of this width."}
+          .Above(0.0),
       OptionField{"label_clamp", &label_clamp, "m", "Labels are cut to +- this."}.Above(0.0),
       OptionField{"label_sigma", &label_sigma, "m", "Standard deviation of a label."}.Above(0.0),
       OptionField{"label_window", &label_window, "-", "Keyframes whose points make the labels."}

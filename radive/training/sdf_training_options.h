@@ -17,12 +17,14 @@ struct SdfTrainingOptions {
     kUnsigned,  // distance to the nearest scan point
     kRay,       // the same distance along the nearest point's ray, positive towards the radar
     kPlane,     // to the plane of the nearest scan points, positive towards the radar
+    kSmooth,    // to the plane of all neural points nearby, faded by distance, likewise signed
   };
-  Label label = Label::kPlane;
-  int label_points = 16;     // scan points a plane is fitted to
-  double label_clamp = 1.0;  // labels are cut to +- this [m]
-  double label_sigma = 0.2;  // standard deviation of a label [m]
-  int label_window = 9;      // keyframes whose points make the labels
+  Label label = Label::kSmooth;
+  int label_points = 16;      // scan points a plane is fitted to
+  double label_kernel = 0.5;  // standard deviation of the fading [m]
+  double label_clamp = 1.0;   // labels are cut to +- this [m]
+  double label_sigma = 0.2;   // standard deviation of a label [m]
+  int label_window = 9;       // keyframes whose points make the labels
 
   int samples_per_point = 2;   // training samples about each neural point that the keyframe saw
   double sample_extent = 0.6;  // half the edge of the cube that they are drawn from [m]

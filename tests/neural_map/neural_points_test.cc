@@ -29,7 +29,9 @@ MapReturn ReturnAt(double x, double weight) {
 }
 
 TEST(NeuralPoints, OnePointACellWithMeanAndCertainty) {
-  NeuralPoints map((NeuralMapOptions()));  // cells of 0.5 m
+  NeuralMapOptions options;   // cells of 0.5 m
+  options.noise_scale = 1e9;  // weights as they are given
+  NeuralPoints map(options);
   EXPECT_EQ(map.AddKeyframe({ReturnAt(0.1, 0.5), ReturnAt(0.4, 1.0), ReturnAt(0.6, 1.0)}, 0),
             (std::vector<int>{0, 1}));
   ASSERT_EQ(map.size(), 2);
@@ -162,7 +164,7 @@ TEST(SdfQuery, GradientAgreesWithDifferences) {
 }
 
 // Two points 0.4 m apart, h = 0.3 m: at the first, weights are 1/0.09 and 1/0.25.
-TEST(SdfQuery, WeightsAndSupportByHand) {
+TEST(SdfQuery, WeightsByHand) {
   NeuralMapOptions options;
   NeuralPoints map(options);
   map.AddKeyframe(ReturnsAt({{0.3, 0.1, 0.1}, {0.7, 0.1, 0.1}}), 0);
@@ -176,10 +178,36 @@ TEST(SdfQuery, WeightsAndSupportByHand) {
   const SdfValue value = QuerySdf(map, kernel, {0.3, 0.1, 0.1});
   EXPECT_EQ(value.num_neighbors, 2);
   EXPECT_NEAR(value.value, (0.5 / 0.09 + 1.0 / 0.25) / (1.0 / 0.09 + 1.0 / 0.25), 1e-12);
-  EXPECT_NEAR(value.support, 1.0 + 0.09 / 0.25, 1e-12);
   EXPECT_EQ(QuerySdf(map, kernel, {9.0, 0.0, 0.0}).num_neighbors, 0);
   map.feature(1)[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(QuerySdf(map, kernel, {0.3, 0.1, 0.1}).num_neighbors, 0) << "not a number says nothing";
+}
+
+// Cells of 0.5 m: at 0.4 m a point counts exp(-0.16 / 0.5).
+TEST(NeuralPoints, SupportByHand) {
+  NeuralPoints map((NeuralMapOptions()));
+  map.AddKeyframe(ReturnsAt({{0.3, 0.1, 0.1}, {0.7, 0.1, 0.1}}), 0);
+  EXPECT_NEAR(map.Support({0.3, 0.1, 0.1}), 1.0 + std::exp(-0.32), 1e-12);
+  map.AddKeyframe(ReturnsAt({{0.3, 0.1, 0.1}}), 1);
+  EXPECT_NEAR(map.Support({0.3, 0.1, 0.1}), std::sqrt(2.0) + std::exp(-0.32), 1e-12);
+  EXPECT_EQ(map.Support({9.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(map.Support({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}), 0.0);
+}
+
+// s = 0.3 m: a return whose covariance has the trace 0.27 m^2 counts 0.09 / 0.36 = 1/4, so that the
+// mean of it and an exact one lies at a fifth of the way.
+TEST(NeuralPoints, NoisyReturnsCountLess) {
+  NeuralMapOptions options;
+  options.noise_scale = 0.3;
+  NeuralPoints map(options);
+  std::vector<MapReturn> returns = ReturnsAt({{0.1, 0.1, 0.1}, {0.2, 0.1, 0.1}});
+  returns[1].covariance = 0.09 * Eigen::Matrix3d::Identity();
+  map.AddKeyframe(returns, 0, {0.1, 8.0, 0.1});
+  ASSERT_EQ(map.size(), 1);
+  EXPECT_NEAR(map.point(0).weight_sum, 1.25, 1e-12);
+  EXPECT_NEAR(map.point(0).position.x(), 0.1 + 0.1 / 5.0, 1e-12);
+  EXPECT_NEAR(map.point(0).certainty, 1.0, 1e-12);
+  EXPECT_GT(map.point(0).to_radar.y(), 0.99) << "towards the radar";
 }
 
 // A decoder that is the height over a point; points of one wall at z = 0.2 m and a lone ghost.
@@ -193,9 +221,10 @@ TEST(SurfaceExtractor, ThresholdAndSupport) {
   map.AddKeyframe(ReturnsAt(positions), 1);
   const SdfDecoder flat(4, 16, SdfDecoder::Activation::kRelu);  // S = 0 everywhere
   SurfaceOptions surface;
-  surface.min_support = 1.5;
+  surface.trial_keyframes = 0;
+  surface.min_support = 0.1;
   std::vector<SurfacePoint> found = ExtractSurface(map, flat, surface);
-  ASSERT_EQ(found.size(), 6u) << "the ghost has a support of 1";
+  ASSERT_EQ(found.size(), 6u) << "the ghost has no neighbours";
   EXPECT_EQ(found[0].index, 1);
   surface.min_support = 0.0;
   EXPECT_EQ(ExtractSurface(map, flat, surface).size(), 7u);
@@ -206,11 +235,22 @@ TEST(SurfaceExtractor, ThresholdAndSupport) {
   EXPECT_TRUE(ExtractSurface(map, offset, surface).empty());
   surface.threshold = 0.15001;
   EXPECT_EQ(ExtractSurface(map, offset, surface).size(), 7u);
-  surface.soft = true;
   surface.threshold = 0.1;
+  surface.trial_keyframes = 2;
   found = ExtractSurface(map, offset, surface);
-  ASSERT_EQ(found.size(), 7u);
-  EXPECT_NEAR(found[0].weight, std::exp(-0.5 * 1.5 * 1.5), 1e-12);
+  ASSERT_EQ(found.size(), 7u) << "all were first seen less than two keyframes ago";
+  EXPECT_EQ(found[1].position, map.point(1).position) << "but not moved by what is not believed";
+  surface.trial_keyframes = 1;
+  EXPECT_TRUE(ExtractSurface(map, offset, surface).empty());
+
+  surface.soft = true;
+  surface.min_support = 2.0;
+  found = ExtractSurface(map, offset, surface);
+  ASSERT_EQ(found.size(), 6u);
+  const double support = map.Support(map.point(1).position);
+  EXPECT_NEAR(found[0].weight, std::exp(-0.5 * 1.5 * 1.5) * support / (support + 2.0), 1e-12);
+  surface.criterion = SurfaceOptions::Criterion::kDensity;
+  EXPECT_NEAR(ExtractSurface(map, offset, surface)[0].weight, support / (support + 2.0), 1e-12);
 }
 
 }  // namespace

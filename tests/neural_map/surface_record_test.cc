@@ -127,6 +127,8 @@ TEST(SurfaceRecord, TheLastWordCountsAndExtractionIsThatOfTheMap) {
   drive.Add(ghost);
   SurfaceOptions surface;
   surface.min_support = 2.0;
+  surface.trial_keyframes = 0;
+  surface.projection = 0.0;
   const std::vector<SurfacePoint> selected = SelectSurface(drive.Record().points(), surface);
   EXPECT_GT(selected.size(), 40u);
   for (const SurfacePoint& point : selected) {

@@ -41,6 +41,8 @@ OdometryOptions SdfOptions() {
   options.submap.type = SubmapOptions::Type::kSdf;
   options.sdf_submap.bypass_keyframes = 2;
   options.sdf_submap.handover_scans = 2;
+  options.surface.projection = 0.0;
+  options.surface.trial_keyframes = 0;
   return options;
 }
 
@@ -122,7 +124,7 @@ TEST(SdfSubmap, ReturnsOfSurfaceCells) {
   OdometryOptions options = SdfOptions();
   options.sdf_submap.source = SdfSubmapOptions::Source::kReturns;
   options.sdf_submap.handover_scans = 0;
-  options.surface.min_support = 1.5;
+  options.surface.min_support = 0.7;
   const auto submap = MakeSubmap(options);
   for (int k = 0; k < 3; ++k) {
     Keyframe keyframe = WallKeyframe(0.0, 0.25);

@@ -38,7 +38,9 @@ double LabelAt(SdfTrainingOptions::Label kind, const Eigen::Vector3d& position) 
   SdfTrainingOptions options;
   options.label = kind;
   const LabelScan scan = ScanOf(Wall(0.2), Eigen::Vector3d::Zero());
-  const SdfLabels labels({&scan}, options);
+  NeuralPoints map((NeuralMapOptions()));
+  map.AddKeyframe(ReturnsAt(Wall(0.2)), 0);
+  const SdfLabels labels({&scan}, map, options);
   return labels.At(position)->distance;
 }
 
@@ -48,23 +50,43 @@ TEST(SdfLabels, DistancesToAWallByHand) {
   EXPECT_NEAR(LabelAt(Label::kPlane, {4.7, 0.07, 0.03}), 0.3, 1e-9);
   EXPECT_NEAR(LabelAt(Label::kPlane, {5.3, 0.07, 0.03}), -0.3, 1e-9);
   EXPECT_NEAR(LabelAt(Label::kPlane, {3.0, 0.07, 0.03}), 1.0, 1e-12) << "clamped";
+  EXPECT_NEAR(LabelAt(Label::kSmooth, {4.7, 0.07, 0.03}), 0.3, 1e-9);
+  EXPECT_NEAR(LabelAt(Label::kSmooth, {5.3, 0.07, 0.03}), -0.3, 1e-9);
   EXPECT_NEAR(LabelAt(Label::kUnsigned, {5.3, 0.0, 0.0}), 0.3, 1e-9);
   EXPECT_NEAR(LabelAt(Label::kRay, {4.7, 0.0, 0.0}), 0.3, 1e-9);
   EXPECT_NEAR(LabelAt(Label::kRay, {5.3, 0.0, 0.0}), -0.3, 1e-9);
 }
 
+// Of the wall's lower edge alone no plane can be told, unless the sensor is planar.
+TEST(SdfLabels, ALineIsNoPlaneButForAPlanarSensor) {
+  std::vector<Eigen::Vector3d> line;
+  for (double y = -3.0; y <= 3.0; y += 0.2) line.emplace_back(5.0, y, 0.0);
+  NeuralPoints map((NeuralMapOptions()));
+  map.AddKeyframe(ReturnsAt(line), 0);
+  const SdfTrainingOptions options;
+  EXPECT_FALSE(SdfLabels({}, map, options).At({4.7, 0.1, 0.0}).has_value());
+  const auto label = SdfLabels({}, map, options, true).At({4.7, 0.1, 0.4});
+  ASSERT_TRUE(label.has_value());
+  EXPECT_NEAR(label->distance, 0.3, 1e-9);
+}
+
 TEST(SdfLabels, NothingWithoutPoints) {
   SdfTrainingOptions options;
-  const SdfLabels empty({}, options);
+  NeuralPoints map((NeuralMapOptions()));
+  EXPECT_FALSE(SdfLabels({}, map, options).At({0, 0, 0}).has_value());
+  map.AddKeyframe(ReturnsAt({{1, 2, 3}, {1, 2, 4}}), 0);
+  EXPECT_FALSE(SdfLabels({}, map, options).At({1, 2, 3}).has_value()) << "two points are no plane";
+  options.label = SdfTrainingOptions::Label::kPlane;
+  const SdfLabels empty({}, map, options);
   EXPECT_FALSE(empty.At({0, 0, 0}).has_value());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const LabelScan scan = ScanOf({{1, 2, 3}, {1, 2, 4}, {nan, 2, 4}}, {0, 0, 0});
-  const SdfLabels two({&scan}, options);
+  const SdfLabels two({&scan}, map, options);
   EXPECT_EQ(two.num_points(), 2);
   EXPECT_FALSE(two.At({1, 2, 3}).has_value()) << "two points are no plane";
   EXPECT_FALSE(two.At({nan, 2, 3}).has_value());
   options.label = SdfTrainingOptions::Label::kUnsigned;
-  EXPECT_NEAR(SdfLabels({&scan}, options).At({1, 2, 2})->distance, 1.0, 1e-12);
+  EXPECT_NEAR(SdfLabels({&scan}, map, options).At({1, 2, 2})->distance, 1.0, 1e-12);
 }
 
 TEST(SdfSamples, LieInTheCubeAndDependOnTheirCellAlone) {
@@ -73,7 +95,8 @@ TEST(SdfSamples, LieInTheCubeAndDependOnTheirCellAlone) {
   const LabelScan scan = ScanOf(Wall(0.2), Eigen::Vector3d::Zero());
   SdfTrainingOptions options;
   options.samples_per_point = 5;
-  const SdfLabels labels({&scan}, options);
+  options.label = SdfTrainingOptions::Label::kPlane;
+  const SdfLabels labels({&scan}, map, options);
   const std::vector<SdfSample> samples = DrawSamples(map, seen, labels, 3, options);
   ASSERT_EQ(samples.size(), 5 * seen.size());
   for (const SdfSample& sample : samples) {
@@ -96,6 +119,7 @@ struct Scene {
 // Root mean square and largest error of the learned field.
 std::pair<double, double> LearnedErrors(const Scene& scene, NeuralMapOptions map_options) {
   SdfTrainingOptions training;
+  training.label = SdfTrainingOptions::Label::kPlane;
   training.label_points = 8;
   training.label_clamp = 2.0;
   training.samples_per_point = 32;
@@ -200,7 +224,7 @@ TEST(SdfTraining, LowersTheHeldOutErrorAndLeavesOtherFeaturesAlone) {
   const LabelScan scan = ScanOf(points, Eigen::Vector3d::Zero());
   SdfTrainingOptions options;
   options.samples_per_point = 8;
-  const SdfLabels labels({&scan}, options);
+  const SdfLabels labels({&scan}, map, options);
   InitialisePoints(&map, seen, labels, 0);
   const SdfDecoder decoder = map.options().Decoder();
   const std::vector<SdfSample> held_out = DrawSamples(map, seen, labels, 99, options);
@@ -230,7 +254,7 @@ TEST(SdfTraining, SolversAgree) {
       options.eikonal_sigma = eikonal_sigma;
       NeuralPoints map((NeuralMapOptions()));
       const std::vector<int> seen = map.AddKeyframe(ReturnsAt(Wall(0.1)), 0);
-      const SdfLabels labels({&scan}, options);
+      const SdfLabels labels({&scan}, map, options);
       InitialisePoints(&map, seen, labels, 0);
       const SdfDecoder decoder = map.options().Decoder();
       const std::vector<SdfSample> samples = DrawSamples(map, seen, labels, 0, options);
@@ -246,7 +270,7 @@ TEST(SdfTraining, BadFeaturesAndEmptyScansNeverReachTheSolver) {
   const std::vector<int> seen = map.AddKeyframe(ReturnsAt(Wall(0.1)), 0);
   const LabelScan scan = ScanOf(Wall(0.1), Eigen::Vector3d::Zero());
   SdfTrainingOptions options;
-  const SdfLabels labels({&scan}, options);
+  const SdfLabels labels({&scan}, map, options);
   const SdfDecoder decoder = map.options().Decoder();
   map.feature(3)[1] = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SdfSample> samples = DrawSamples(map, seen, labels, 0, options);
@@ -291,8 +315,9 @@ TEST(SdfTraining, ALoneGhostIsNotKept) {
     if (k == 1) points.emplace_back(8.0, 1.0, 0.5);
     mapper.AddKeyframe({{0, 0, 0}, ReturnsAt(points)});
   }
-  const std::vector<SurfacePoint> surface =
-      ExtractSurface(mapper.map(), mapper.decoder(), SurfaceOptions());
+  SurfaceOptions settled;
+  settled.trial_keyframes = 0;
+  const std::vector<SurfacePoint> surface = ExtractSurface(mapper.map(), mapper.decoder(), settled);
   int num_wall = 0;
   for (const SurfacePoint& point : surface) {
     EXPECT_LT(point.position.x(), 7.0) << "the ghost";
