@@ -9,6 +9,7 @@
 #include "radive/factors/sdf_fit_factor.h"
 #include "radive/neural_map/decoder_kernel.h"
 #include "radive/neural_map/surface_extractor.h"
+#include "radive/sensor/radar_noise_model.h"
 #include "radive/simulation/radar_simulator.h"
 #include "radive/training/sdf_mapper.h"
 
@@ -30,11 +31,13 @@ std::vector<MapKeyframe> MakeKeyframes(bool dense) {
     }
     MapKeyframe keyframe;
     keyframe.origin = T_world_radar.translation;
+    const Eigen::Matrix3d R = T_world_radar.RotationMatrix();
     for (std::size_t i = 0; i < scan.returns.size(); ++i) {
       const Eigen::Vector3d& p_radar = scan.returns[i].position;
       if (truth.labels[i] == ReturnLabel::kMoving || p_radar.norm() > 60.0) continue;
       MapReturn entry;
       entry.position = T_world_radar * p_radar;
+      entry.covariance = R * PositionCovariance(p_radar, SensorOptions(), false) * R.transpose();
       keyframe.returns.push_back(entry);
     }
     keyframes.push_back(std::move(keyframe));
@@ -47,17 +50,17 @@ const std::vector<MapKeyframe>& Keyframes(bool dense) {
   return keyframes[dense ? 1 : 0];
 }
 
-// One keyframe into a map of eleven: search, labels, training. range(0): dense; range(1): samples a
-// point. Counters: samples, and the label rms of six held-out samples a point [m].
-void BM_Keyframe(benchmark::State& state) {
-  const std::vector<MapKeyframe>& keyframes = Keyframes(state.range(0) != 0);
-  SdfTrainingOptions options;
-  options.samples_per_point = static_cast<int>(state.range(1));
+// One keyframe into a map of eleven: search, labels, training. Counters: samples, and the label rms
+// of six held-out samples a point [m].
+void TimeKeyframe(const std::vector<MapKeyframe>& keyframes,
+                  const NeuralMapOptions& map_options,
+                  const SdfTrainingOptions& options,
+                  benchmark::State& state) {
   SdfTrainingOptions held_out = options;
   held_out.samples_per_point = 6;
   for (auto _ : state) {
     state.PauseTiming();
-    auto mapper = std::make_unique<SdfMapper>(NeuralMapOptions(), options);
+    auto mapper = std::make_unique<SdfMapper>(map_options, options);
     for (std::size_t k = 0; k + 1 < keyframes.size(); ++k) mapper->AddKeyframe(keyframes[k]);
     state.ResumeTiming();
     const TrainingResult result = mapper->AddKeyframe(keyframes.back());
@@ -69,12 +72,39 @@ void BM_Keyframe(benchmark::State& state) {
     state.ResumeTiming();
   }
 }
+// range(0): dense; range(1): samples a point; range(2): SdfTrainingOptions::Label.
+void BM_Keyframe(benchmark::State& state) {
+  SdfTrainingOptions options;
+  options.samples_per_point = static_cast<int>(state.range(1));
+  options.label = static_cast<SdfTrainingOptions::Label>(state.range(2));
+  TimeKeyframe(Keyframes(state.range(0) != 0), NeuralMapOptions(), options, state);
+}
+constexpr int kPlane = static_cast<int>(SdfTrainingOptions::Label::kPlane);
+constexpr int kSmooth = static_cast<int>(SdfTrainingOptions::Label::kSmooth);
 BENCHMARK(BM_Keyframe)
-    ->Args({1, 2})
-    ->Args({1, 6})
-    ->Args({0, 2})
+    ->Args({1, 2, kSmooth})
+    ->Args({1, 2, kPlane})
+    ->Args({1, 6, kPlane})
+    ->Args({0, 2, kSmooth})
     ->Iterations(5)
     ->Unit(benchmark::kMillisecond);
+
+// Dense, in the set-up that a prototype of the method had: plane labels, features of 8 numbers, 32
+// hidden units, neural points at the first return, six samples a point, four steps, no prior.
+void BM_KeyframeOfThePrototype(benchmark::State& state) {
+  NeuralMapOptions map;
+  map.feature_dim = 8;
+  map.position = NeuralMapOptions::Position::kFirst;
+  map.softening = 0.05;
+  map.noise_scale = 1000.0;
+  SdfTrainingOptions options;
+  options.label = SdfTrainingOptions::Label::kPlane;
+  options.samples_per_point = 6;
+  options.feature_prior_sigma = 0.0;
+  options.solver.max_iterations = 4;
+  TimeKeyframe(Keyframes(true), map, options, state);
+}
+BENCHMARK(BM_KeyframeOfThePrototype)->Iterations(5)->Unit(benchmark::kMillisecond);
 
 // A map of twelve keyframes and samples to train the last of them.
 struct Lesson {

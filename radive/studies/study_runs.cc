@@ -58,6 +58,8 @@ std::vector<StudyRun> RunsOf(const Study& study,
       run.variant = &study.variants[i];
       run.seed = seed;
       run.config = configs[i];
+      // A simulated truth is that of the radar, whatever the configuration says of its data set's.
+      if (sequence.is_simulated()) run.config.reference = ReferenceOptions();
       if (study.perturb.drop > 0.0) {
         run.config.input.drop_share = study.perturb.drop;
         run.config.input.drop_seed = seed;

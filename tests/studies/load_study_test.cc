@@ -214,6 +214,21 @@ TEST(StudyRuns, AreSequencesTimesSeedsTimesVariants) {
   EXPECT_EQ(ConfigHash(study, runs[0]), ConfigHash(study, Runs(study)[0]));
 }
 
+// A configuration says where the body of its data set's ground truth sits; that of the simulator is
+// the radar.
+TEST(StudyRuns, SimulatedTruthIsOfTheRadar) {
+  const ScratchFolder scratch;
+  const Study study = LoadStudyText(scratch.path(),
+                                    "set: {reference.mounted_on: vehicle}\n"
+                                    "sequences:\n"
+                                    "  - {name: a, input: a}\n"
+                                    "  - {scenario: street_planar}\n");
+  const std::vector<StudyRun> runs = Runs(study);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].config.reference.mounted_on, ReferenceOptions::MountedOn::kVehicle);
+  EXPECT_EQ(runs[1].config.reference.mounted_on, ReferenceOptions::MountedOn::kRadar);
+}
+
 TEST(StudyRuns, ASequenceMayHaveSomeVariantsOnly) {
   const ScratchFolder scratch;
   const Study study = LoadStudyText(scratch.path(),
