@@ -27,9 +27,9 @@ struct SdfSubmapOptions {
   int bypass_keyframes = 5;
   double bypass_neighbors = 5.0;
 
-  // Share by which a Gaussian is flattened along the normal: S' = (I - a n n^T) S (I - a n n^T)
-  // [-].
-  double flatten = 0.0;
+  // Share by which the Gaussian of a point is flattened along the normal, for it stands for more
+  // than one return: S' = (I - a n n^T) S (I - a n n^T) [-].
+  double flatten = 0.3;
 
   // Whether what is learned is kept for a map of the drive (Odometry::TakeSurfaces), and the
   // spacing of its grid [m], 0: none. Not settings: whoever writes maps sets them.
