@@ -125,7 +125,9 @@ std::vector<MapFile> MakeMapFiles(const OutputOptions& output,
   if (output.NeedsSurface()) {
     std::vector<SurfacePoint> all, selected;
     SurfaceOptions settled = surface;
-    settled.trial_keyframes = 0;  // registration cannot wait for a second look, a map can
+    // Registration can do with doubtful points that weigh little, and cannot wait for a second look.
+    settled.soft = false;
+    settled.trial_keyframes = 0;
     for (const auto& [T_world_map, record] : surfaces) {
       const std::vector<SurfacePoint> points_of_radar = InWorld(T_world_map, record.points());
       all.insert(all.end(), points_of_radar.begin(), points_of_radar.end());
