@@ -56,6 +56,9 @@ int main(int argc, char** argv) {
   radive::SdfTrainingOptions training;
   training.seed = FLAGS_seed;
   training.samples_per_point = 6;
+  // The returns of a lesson are exact: a plane of few of them follows corners, a smooth one rounds
+  // them off.
+  training.label = radive::SdfTrainingOptions::Label::kPlane;
   radive::DecoderLessons lessons = radive::MakeDecoderLessons(map_options, training, FLAGS_seed);
   std::printf("%zu samples about %d neural points\n", lessons.samples.size(), lessons.map.size());
 
