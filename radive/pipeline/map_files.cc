@@ -125,7 +125,8 @@ std::vector<MapFile> MakeMapFiles(const OutputOptions& output,
   if (output.NeedsSurface()) {
     std::vector<SurfacePoint> all, selected;
     SurfaceOptions settled = surface;
-    // Registration can do with doubtful points that weigh little, and cannot wait for a second look.
+    // Registration can do with doubtful points that weigh little, and cannot wait for a second
+    // look.
     settled.soft = false;
     settled.trial_keyframes = 0;
     for (const auto& [T_world_map, record] : surfaces) {
