@@ -124,6 +124,7 @@ TEST(SdfSubmap, ReturnsOfSurfaceCells) {
   OdometryOptions options = SdfOptions();
   options.sdf_submap.source = SdfSubmapOptions::Source::kReturns;
   options.sdf_submap.handover_scans = 0;
+  options.surface.min_support = 1.5;
   options.sdf_submap.flatten = 0.0;
   const auto submap = MakeSubmap(options);
   for (int k = 0; k < 3; ++k) {

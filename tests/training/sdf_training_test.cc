@@ -307,17 +307,16 @@ TEST(SdfTraining, JointTrainingLearnsADecoderFromNothing) {
 }
 
 // A wall in every scan, a ghost in one: the wall is kept, the ghost is not, although |S| is small
-// at the ghost as well.
+// at the ghost as well: once its trial is over.
 TEST(SdfTraining, ALoneGhostIsNotKept) {
   SdfMapper mapper((NeuralMapOptions()), SdfTrainingOptions());
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 1 + 1 + SurfaceOptions().trial_keyframes; ++k) {
     std::vector<Eigen::Vector3d> points = Wall(0.2);
     if (k == 1) points.emplace_back(8.0, 1.0, 0.5);
     mapper.AddKeyframe({{0, 0, 0}, ReturnsAt(points)});
   }
-  SurfaceOptions settled;
-  settled.trial_keyframes = 0;
-  const std::vector<SurfacePoint> surface = ExtractSurface(mapper.map(), mapper.decoder(), settled);
+  const std::vector<SurfacePoint> surface =
+      ExtractSurface(mapper.map(), mapper.decoder(), SurfaceOptions());
   int num_wall = 0;
   for (const SurfacePoint& point : surface) {
     EXPECT_LT(point.position.x(), 7.0) << "the ghost";
