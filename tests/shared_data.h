@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/shared_data_path.h"
+
 namespace radive::testing {
 
 // Folder of the real research-only data, which are not part of the project: the environment
