@@ -8,7 +8,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
 
 namespace radive {
 

@@ -118,7 +118,7 @@ SummaryRow RowOf(const std::string& variant,
   return row;
 }
 
-std::string Cell(const std::optional<double>& value) {
+std::string NumberCell(const std::optional<double>& value) {
   if (!value) return "";
   char text[40];
   std::snprintf(text, sizeof(text), "%.9g", *value);
@@ -199,7 +199,7 @@ std::string SummaryCsv(const std::vector<SummaryRow>& rows) {
     text += row.variant + "," + row.sequence + "," + row.metric + "," + std::to_string(row.runs) +
             "," + std::to_string(row.ok);
     for (const auto& value : {row.median, row.q25, row.q75, row.min, row.max}) {
-      text += "," + Cell(value);
+      text += "," + NumberCell(value);
     }
     text += "," + std::to_string(row.pairs);
     for (const auto& value : {row.difference.value,
@@ -210,7 +210,7 @@ std::string SummaryCsv(const std::vector<SummaryRow>& rows) {
                               row.ratio.high,
                               row.ratio_over_drives.low,
                               row.ratio_over_drives.high}) {
-      text += "," + Cell(value);
+      text += "," + NumberCell(value);
     }
     text += "\n";
   }
