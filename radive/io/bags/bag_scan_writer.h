@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/open/open_scan_writer.h"
+#include "radive/io/scans/scan_writer.h"
 
 namespace radive {
 
