@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "radive/evaluation/evaluate.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "radive/util/angle_units.h"
 #include "tests/shared_data.h"
 
