@@ -5,7 +5,8 @@
 
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "radive/util/angle_units.h"

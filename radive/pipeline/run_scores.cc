@@ -13,14 +13,9 @@
 #include <utility>
 
 #include "radive/evaluation/evaluation_report.h"
-<<<<<<< HEAD
-#include "radive/io/pose_text.h"
-#include "radive/io/record_file.h"
-#include "radive/util/angle_units.h"
-=======
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/trajectories/pose_text.h"
->>>>>>> main
+#include "radive/util/angle_units.h"
 
 namespace radive {
 namespace {

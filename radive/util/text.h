@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace radive {
 
@@ -13,6 +14,14 @@ inline std::string ReplaceAll(std::string text, const std::string& what, const s
     text.replace(at, what.size(), with);
   }
   return text;
+}
+
+inline bool StartsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+inline bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
 }  // namespace radive
