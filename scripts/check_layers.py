@@ -4,7 +4,8 @@
   scripts/check_layers.py               prints each violation, exit status 1 if there is any
   scripts/check_layers.py --self_test   checks the check
 
-Also: ceres::Solve is called in radive/solver/ alone, and the library neither exits nor defines flags.
+Also: ceres::Solve is called in radive/solver/ alone, the library neither exits nor defines flags, and
+numbers go to and from text in radive/util/number_text alone, where the locale does not matter.
 """
 
 import pathlib
@@ -25,6 +26,9 @@ FORBIDDEN = [
     (re.compile(r"\bceres::Solve\("), "calls ceres::Solve; only radive/solver/ may", {"solver"}),
     (re.compile(r"(?<![\w.>])(?:std::)?exit\("), "exits; the library returns errors", set()),
     (re.compile(r"\bDEFINE_(?:string|bool|double|u?int(?:32|64))\("), "defines a flag", set()),
+    (re.compile(r"\b(?:v?sn?printf|strto(?:d|f|ld)|sto(?:d|f|ld)|ato[fil]|v?sscanf)\("),
+     "depends on the locale; use radive/util/number_text.h", {"util"}),
+    (re.compile(r"\bsetlocale\(|\blocale::global\("), "changes the locale of the program", set()),
 ]
 
 
@@ -65,6 +69,12 @@ def self_test():
     assert count("odometry", "// never ceres::Solve(...) here") == 0
     assert count("io", "  std::exit(1);") == 1
     assert count("io", "  source.exit(1);") == 0
+    assert count("io", "  std::snprintf(text, sizeof(text), form, value);") == 1
+    assert count("io", "  value = std::stod(word);") == 1
+    assert count("io", "  value = strtod(word, &end);") == 1
+    assert count("io", "  text = FormatText(form, value);") == 0
+    assert count("util", "  std::vsnprintf(text, sizeof(text), form, values);") == 0
+    assert count("util", '  std::setlocale(LC_ALL, "C");') == 1
     assert count("config", 'DEFINE_string(config, "", "");') == 1
 
 
