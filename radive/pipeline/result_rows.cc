@@ -3,7 +3,7 @@
 
 #include "radive/pipeline/result_rows.h"
 
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "radive/util/number_text.h"
 
 namespace radive {

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "radive/config/load_config.h"
-#include "radive/io/open_scan_source.h"
+#include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/run_sequence.h"
 #include "radive/pipeline/simulation_writer.h"
 #include "radive/simulation/scenarios.h"
