@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "radive/ego_velocity/doppler_check.h"
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_source.h"
 
 namespace radive {
 
