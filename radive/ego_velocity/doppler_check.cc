@@ -19,14 +19,15 @@ constexpr double kSlowTime = 0.5;
 constexpr double kUsualTime = 0.2;
 constexpr double kLongestTime = 1.0;
 constexpr double kSlowSpeed = 2.0;  // [m/s]
-constexpr double kPairInterval = 0.06;
+constexpr double kPairInterval = 0.2;
+constexpr double kPairIntervalOpen = 0.06;  // as long as nothing is decided
 constexpr double kStampJitter = 0.02;
 
 constexpr double kStandingSpeed = 0.3;  // [m/s]
 constexpr double kMaxTurnRate = 0.5;    // between the scans of a pair [rad/s]
 
 // All scans are looked at for this long, then the first few of each while [s].
-constexpr double kFirstLook = 60.0;
+constexpr double kFirstLook = 30.0;
 constexpr double kLook = 1.5;
 constexpr double kLookIntervalOpen = 8.0;
 constexpr double kLookInterval = 15.0;
