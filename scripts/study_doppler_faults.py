@@ -166,7 +166,7 @@ def study(args, ate, sequence):
         else:
             verdict = "right" if right and not told else "right, told" if right else "told" if told else "SILENT"
         failed |= verdict in ("FALSE ALARM", "SILENT")
-        said = "; ".join(told or [n for n in notes if "Doppler" in n] + why * (error == float("inf")))
+        said = "; ".join(told or [n for n in notes if "Doppler" in n] + (why if error == float("inf") else []))
         rows.append(f"| {name} | {fault} | {error:.3f} | {verdict} | {said} |")
     return rows, failed
 

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -51,12 +52,6 @@ constexpr double kScaleStep = 0.04;  // of the logarithm
 // Advantage of a displacement over another, about in standard deviations.
 double Advantage(double votes, double other_votes) {
   return (votes - other_votes) / std::sqrt(votes + other_votes + 1.0);
-}
-
-std::string Format(const char* format, double a, double b = 0.0) {
-  char text[160];
-  std::snprintf(text, sizeof(text), format, a, b);
-  return text;
 }
 
 // The unit that `scale` stands for, as a question.
@@ -188,7 +183,7 @@ bool DopplerEvidence::Disagrees(double min_t, double min_pairs) const {
 std::string DopplerEvidence::DisagreementText() const {
   const double doppler_speed = doppler_way_ / way_time_, points_speed = points_way_ / way_time_;
   if (doppler_speed < 0.1 * points_speed && doppler_speed < 0.5) {
-    return Format(
+    return FormatText(
         "Doppler says %.2f m/s where the points move at %.1f m/s: zero, or compensated "
         "for the motion of the radar?",
         doppler_speed,
@@ -207,12 +202,11 @@ std::string DopplerEvidence::DisagreementText() const {
       sum > 0.0 ? std::copysign(std::exp(weighted / sum), Scale(static_cast<int>(index))) : 0.0;
   if (*most > 0.8 * votes_of_points_ && std::abs(scale) > 1.5 * kSmallestScale &&
       points_speed > 0.3) {
-    return Format(std::abs(scale) < 9.95 ? "Doppler speed is %.2g times the motion of the points"
-                                         : "Doppler speed is %.0f times the motion of the points",
-                  scale) +
-           UnitOf(scale);
+    const std::string number =
+        std::abs(scale) < 9.95 ? FormatText("%.2g", scale) : FormatText("%.0f", scale);
+    return "Doppler speed is " + number + " times the motion of the points" + UnitOf(scale);
   }
-  return Format(
+  return FormatText(
       "Doppler does not follow the motion of the points: %.1f m/s by the Doppler, %.1f "
       "m/s by the points",
       doppler_speed,
@@ -225,11 +219,12 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
   const double min_t = is_firm ? kFirmMinT : kMinT;
   if (num_without_numbers_ >= (is_end ? 1.0 : 10.0) && num_without_numbers_ >= 0.9 * num_scans_) {
     finding.kind = DopplerFinding::Kind::kNoNumbers;
-    finding.evidence =
-        Format("Doppler is no number in %.0f of %.0f scans", num_without_numbers_, num_scans_);
+    finding.evidence = FormatText("Doppler is no number in %.0f of %.0f scans",
+                                  num_without_numbers_,
+                                  static_cast<double>(num_scans_));
   } else if (pattern_.count() >= min_scans && share_.mean() < 0.6 && pattern_.mean() < 0.5) {
     finding.kind = DopplerFinding::Kind::kNoPattern;
-    finding.evidence = Format(
+    finding.evidence = FormatText(
         "Doppler makes no sense: only %.0f %% of the returns of a scan agree on a velocity, as "
         "many "
         "as by chance",
@@ -237,17 +232,17 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
   } else if (num_fits_tried_ >= min_scans && num_without_fit_ >= 0.8 * num_fits_tried_ &&
              points_move_test_.t() > min_t) {
     finding.kind = DopplerFinding::Kind::kNoPattern;
-    finding.evidence = Format(
+    finding.evidence = FormatText(
         "Doppler makes no sense: the returns do not agree on a velocity in %.0f of %.0f scans",
-        num_without_fit_,
-        num_fits_tried_);
+        static_cast<double>(num_without_fit_),
+        static_cast<double>(num_fits_tried_));
   } else if (Disagrees(min_t, is_end ? kMinPairsAtEnd : kMinPairsAgainst)) {
     finding.kind = DopplerFinding::Kind::kDisagrees;
     finding.evidence = DisagreementText();
   } else if (sign_.count() >= kMinPairs && std::abs(sign_.t()) > min_t &&
              std::abs(sign_.mean()) > kMinMean && points_.t() < 2.0) {
     finding.kind = sign_.mean() > 0.0 ? DopplerFinding::Kind::kPlus : DopplerFinding::Kind::kMinus;
-    finding.evidence = Format(
+    finding.evidence = FormatText(
         "by the motion of the points in %.0f pairs of scans, %.1f standard "
         "deviations from the opposite",
         sign_.count(),
