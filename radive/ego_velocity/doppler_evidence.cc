@@ -219,9 +219,8 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
   const double min_t = is_firm ? kFirmMinT : kMinT;
   if (num_without_numbers_ >= (is_end ? 1.0 : 10.0) && num_without_numbers_ >= 0.9 * num_scans_) {
     finding.kind = DopplerFinding::Kind::kNoNumbers;
-    finding.evidence = FormatText("Doppler is no number in %.0f of %.0f scans",
-                                  num_without_numbers_,
-                                  static_cast<double>(num_scans_));
+    finding.evidence =
+        FormatText("Doppler is no number in %d of %d scans", num_without_numbers_, num_scans_);
   } else if (pattern_.count() >= min_scans && share_.mean() < 0.6 && pattern_.mean() < 0.5) {
     finding.kind = DopplerFinding::Kind::kNoPattern;
     finding.evidence = FormatText(
@@ -233,9 +232,9 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
              points_move_test_.t() > min_t) {
     finding.kind = DopplerFinding::Kind::kNoPattern;
     finding.evidence = FormatText(
-        "Doppler makes no sense: the returns do not agree on a velocity in %.0f of %.0f scans",
-        static_cast<double>(num_without_fit_),
-        static_cast<double>(num_fits_tried_));
+        "Doppler makes no sense: the returns do not agree on a velocity in %d of %d scans",
+        num_without_fit_,
+        num_fits_tried_);
   } else if (Disagrees(min_t, is_end ? kMinPairsAtEnd : kMinPairsAgainst)) {
     finding.kind = DopplerFinding::Kind::kDisagrees;
     finding.evidence = DisagreementText();
