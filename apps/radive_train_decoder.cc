@@ -10,7 +10,7 @@
 
 #include "apps/app_main.h"
 #include "radive/pipeline/decoder_lessons.h"
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
 #include "radive/training/decoder_training.h"
 
 DEFINE_int32(feature_dim, 4, "Numbers in a feature: 4 or 8.");
@@ -83,5 +83,5 @@ int main(int argc, char** argv) {
   const std::filesystem::path path = FLAGS_output;
   std::string error;
   if (!radive::WriteWholeFile(path, decoder.ToText(comment), &error)) return Fail(error);
-  return radive::Code(radive::ExitStatus::kSuccess);
+  return radive::EndApp(radive::ExitStatus::kSuccess);
 }

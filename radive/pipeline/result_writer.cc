@@ -10,7 +10,7 @@
 #include <system_error>
 #include <unordered_set>
 
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/result_rows.h"
 
 namespace radive {

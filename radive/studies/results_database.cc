@@ -9,7 +9,7 @@
 #include <optional>
 #include <system_error>
 
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
 
 namespace radive {
 namespace {
