@@ -107,8 +107,7 @@ class NeuralPoints {
     }
   }
 
-  // Index of the last keyframe; -1 before the first.
-  int last_keyframe() const { return last_keyframe_; }
+  int last_keyframe() const { return last_keyframe_; }  // its index; -1 before the first
 
   // The point whose cell holds `position`; -1: none.
   int At(const Eigen::Vector3d& position) const;
