@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/scans/scan_stamps.h"
 #include "radive/util/natural_order.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -175,9 +175,7 @@ bool FindStamps(const fs::path& root,
   for (std::size_t i = 0; i < folder->names.size(); ++i) {
     folder->stamps_ns.push_back(std::llround(static_cast<double>(i) * 1e9 / query.rate));
   }
-  char rate[40];
-  std::snprintf(rate, sizeof(rate), "%g Hz", query.rate);
-  folder->stamp_origin = rate;
+  folder->stamp_origin = FormatText("%g Hz", query.rate);
   folder->stamps_are_positions = true;
   return true;
 }
