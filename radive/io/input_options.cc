@@ -63,8 +63,9 @@ std::vector<OptionField> InputOptions::Fields() {
       OptionField{"rate",
                   &rate,
                   "Hz",
-                  "Scans a second, for data that store no stamps: scan k gets the stamp k / rate."}
-          .AtLeast(1e-3)
+                  "Scans per second, for data that store no stamps: scan k gets the stamp k / rate. 0: "
+                  "not known, 10 is assumed, with a warning."}
+          .AtLeast(0.0)
           .AtMost(1e6),
       OptionField{
           "radar",

@@ -19,6 +19,7 @@
 #include "radive/io/radarscenes_source.h"
 #include "radive/io/raflow_source.h"
 #include "radive/io/raw_source.h"
+#include "radive/io/scans/ordered_source.h"
 #include "radive/io/thinned_source.h"
 
 namespace radive {
@@ -69,7 +70,8 @@ std::unique_ptr<ScanSource> OpenOne(const std::string& path,
                                     std::string* error) {
   std::unique_ptr<ScanSource> source = OpenStored(path, options, error);
   if (source == nullptr) return nullptr;
-  return std::make_unique<AxesSource>(std::move(source), options.axes);
+  auto ordered = std::make_unique<OrderedSource>(std::move(source));
+  return std::make_unique<AxesSource>(std::move(ordered), options.axes);
 }
 
 // Each radar with axes of its own.

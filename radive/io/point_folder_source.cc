@@ -23,21 +23,25 @@ PointFolderSource::PointFolderSource(ScanFolder folder,
       converter_(options) {
   CHECK(reader_ != nullptr);
   CHECK_EQ(folder_.names.size(), folder_.stamps_ns.size());
+  if (!folder_.stamp_doubt.empty()) warnings_.push_back(folder_.stamp_doubt);
 }
 
-ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
+ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
   if (next_ == folder_.names.size()) return Status::kEnd;
-  const std::filesystem::path file = folder_.File(next_);
   scan->stamp_ns = folder_.stamps_ns[next_];
   scan->radar = 0;
   scan->has_doppler = false;
   scan->is_planar = false;
   scan->returns.clear();
-  scan->place = file.string();
+  scan->place = folder_.File(next_).string();
   ++next_;
+  return Status::kScan;
+}
 
+ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
+  if (PassOver(scan) == Status::kEnd) return Status::kEnd;
   std::string reason;
-  if (!ReadWholeFile(file, &content_, &reason)) {
+  if (!ReadWholeFile(scan->place, &content_, &reason)) {
     warnings_.push_back(reason + "; taken as an empty scan");
     return Status::kScan;
   }
@@ -49,13 +53,6 @@ ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
   }
   for (const std::string& remark : remarks) warnings_.push_back(scan->place + ": " + remark);
   return Status::kScan;
-}
-
-ScanSource::Status PointFolderSource::Skip(int count) {
-  const std::size_t left = folder_.names.size() - next_;
-  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
-  next_ += std::min(left, wanted);
-  return wanted <= left ? Status::kScan : Status::kEnd;
 }
 
 std::string PointFolderSource::Description() const {

@@ -44,7 +44,7 @@ class PointFolderSource : public ScanSource {
                     std::string format);
 
   Status Next(RadarScan* scan) override;
-  Status Skip(int count) override;
+  Status PassOver(RadarScan* scan) override;
   std::string Description() const override;
   std::optional<int> NumScans() const override;
   SourceFacts Facts() const override;

@@ -312,18 +312,8 @@ ScanSource::Status BagSource::Advance(bool needs_returns, RadarScan* scan) {
                        "; it is passed over");
       continue;
     }
-    if (!last_ns_ || scan->stamp_ns > *last_ns_) {
-      last_ns_ = scan->stamp_ns;
-      return Status::kScan;
-    }
-    const bool is_same = scan->stamp_ns == *last_ns_;
-    counted_.Add(
-        "scans with a stamp " +
-            std::string(is_same ? "that was there before" : "before the last one's") + " in " +
-            place_,
-        scan->place + ": the stamp " + FormatStamp(scan->stamp_ns) +
-            (is_same ? " is that of the scan before" : " is earlier than that of the scan before") +
-            "; it is passed over");
+    record_ns_ = stamped.record_ns;
+    return Status::kScan;
   }
 }
 
@@ -331,13 +321,8 @@ ScanSource::Status BagSource::Next(RadarScan* scan) {
   return Advance(/*needs_returns=*/true, scan);
 }
 
-ScanSource::Status BagSource::Skip(int count) {
-  RadarScan dropped;
-  for (int i = 0; i < count; ++i) {
-    const Status status = Advance(/*needs_returns=*/false, &dropped);
-    if (status != Status::kScan) return status;
-  }
-  return Status::kScan;
+ScanSource::Status BagSource::PassOver(RadarScan* scan) {
+  return Advance(/*needs_returns=*/false, scan);
 }
 
 }  // namespace radive
