@@ -12,6 +12,12 @@
 #include "radive/io/record_file.h"
 
 namespace radive {
+namespace {
+
+// When none of so many can be read, none will.
+constexpr std::size_t kFirstScans = 10;
+
+}  // namespace
 
 PointFolderSource::PointFolderSource(ScanFolder folder,
                                      std::unique_ptr<PointFileReader> reader,
@@ -38,19 +44,50 @@ ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
   return Status::kScan;
 }
 
+bool PointFolderSource::ReadReturns(RadarScan* scan,
+                                    std::vector<std::string>* remarks,
+                                    std::string* reason) {
+  if (!ReadWholeFile(scan->place, &content_, reason)) return false;
+  PointTable table;
+  if (reader_->Read(content_, scan->stamp_ns, &table, remarks, reason) &&
+      converter_.Convert(table, scan, reason)) {
+    return true;
+  }
+  *reason = scan->place + ": " + *reason;
+  return false;
+}
+
+bool PointFolderSource::CanReadOneOfTheNext() {
+  const std::size_t next = next_;
+  bool can_read = false;
+  for (std::size_t i = 1; i < kFirstScans && !can_read; ++i) {
+    RadarScan scan;
+    if (PassOver(&scan) == Status::kEnd) break;
+    std::vector<std::string> remarks;
+    std::string reason;
+    can_read = ReadReturns(&scan, &remarks, &reason);
+  }
+  next_ = next;
+  return can_read;
+}
+
 ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
   if (PassOver(scan) == Status::kEnd) return Status::kEnd;
-  std::string reason;
-  if (!ReadWholeFile(scan->place, &content_, &reason)) {
-    warnings_.push_back(reason + "; taken as an empty scan");
-    return Status::kScan;
-  }
-  PointTable table;
   std::vector<std::string> remarks;
-  if (!reader_->Read(content_, scan->stamp_ns, &table, &remarks, &reason) ||
-      !converter_.Convert(table, scan, &reason)) {
-    warnings_.push_back(scan->place + ": " + reason + "; taken as an empty scan");
+  std::string reason;
+  if (!ReadReturns(scan, &remarks, &reason)) {
+    if (!has_looked_ && !CanReadOneOfTheNext()) {
+      error_ = reason;
+      const std::size_t num_others = std::min(folder_.names.size() - next_, kFirstScans - 1);
+      if (num_others > 0) {
+        error_ += "; nor can the " + std::to_string(num_others) + " files behind it be read";
+      }
+      return Status::kError;
+    }
+    warnings_.push_back(reason + "; taken as an empty scan");
+    scan->returns.clear();
   }
+  has_looked_ = true;
   for (const std::string& remark : remarks) warnings_.push_back(scan->place + ": " + remark);
   return Status::kScan;
 }

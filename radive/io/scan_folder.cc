@@ -141,11 +141,8 @@ std::string OriginText(const std::string& place, const StampSequence& sequence) 
 }
 
 // Sets the stamps from a file with one for each scan. `found` says whether there is one.
-bool StampsFromFile(const fs::path& root,
-                    double rate,
-                    ScanFolder* folder,
-                    bool* found,
-                    std::string* error) {
+bool StampsFromFile(
+    const fs::path& root, double rate, ScanFolder* folder, bool* found, std::string* error) {
   const fs::path file = FindStampFile(root, folder->path);
   *found = !file.empty();
   if (!*found) return true;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -69,6 +70,7 @@ class BagSource : public ScanSource {
   Status Advance(bool needs_returns, RadarScan* scan);
   Status ReadMessage(bool needs_returns, Stamped* stamped);
   Status ReadReturns(const Message& message, RadarScan* scan);
+  Status FailUnreadable();
   void ChooseStamps();
   // False for a scan that comes before the first trigger.
   bool SetStamp(const Stamped& stamped, RadarScan* scan);
@@ -84,6 +86,9 @@ class BagSource : public ScanSource {
   CountedWarnings counted_;
   int num_messages_ = 0;      // read so far
   bool has_returns_ = false;  // of some message
+  bool has_read_ = false;     // some message, be it without returns
+  std::size_t num_unreadable_ = 0;
+  std::string first_reason_;  // of a message that cannot be read
   StampOrigin stamp_origin_ = StampOrigin::kUnknown;
   std::deque<Stamped> held_back_;
   Status status_after_held_back_ = Status::kScan;

@@ -58,7 +58,8 @@ void OrderedSource::Warn(const StampOrder::Decision& decision,
       break;
     case Kind::kClockSet:
       counted_.Add("times that the clock of the stamps was set",
-                   stamp + " is where the clock was set; this stamp and those behind it are moved by " +
+                   stamp +
+                       " is where the clock was set; this stamp and those behind it are moved by " +
                        SignedSeconds(decision.shift_ns) + ", so that they follow those before");
       break;
     case Kind::kRepeated:
@@ -66,9 +67,9 @@ void OrderedSource::Warn(const StampOrder::Decision& decision,
                    stamp + " is that of the scan before" + fate);
       break;
     case Kind::kTooLate:
-      counted_.Add("scans with a stamp long before the last one's",
-                   stamp + " is more than " + std::to_string(StampOrder::kReach) +
-                       " scans late" + fate);
+      counted_.Add(
+          "scans with a stamp long before the last one's",
+          stamp + " is more than " + std::to_string(StampOrder::kReach) + " scans late" + fate);
       break;
   }
 }
@@ -87,8 +88,8 @@ ScanSource::Status OrderedSource::Next(RadarScan* scan) {
     }
     const StampOrder::Decision decision = order_.Next(entries_);
     const auto position = static_cast<std::ptrdiff_t>(decision.position);
-    const bool is_unusable = decision.kind == StampOrder::Kind::kRepeated ||
-                             decision.kind == StampOrder::Kind::kTooLate;
+    const bool is_unusable =
+        decision.kind == StampOrder::Kind::kRepeated || decision.kind == StampOrder::Kind::kTooLate;
     const bool is_dropped = is_unusable && entries_[decision.position].record_ns.has_value();
     RadarScan& next = scans_[decision.position];
     Warn(decision, next, is_dropped);
@@ -104,8 +105,9 @@ ScanSource::Status OrderedSource::Next(RadarScan* scan) {
 
 ScanSource::Status OrderedSource::Skip(int count) {
   // Those that may still be given behind the skipped ones are read in full.
-  num_to_pass_over_ = num_read_ + std::max(0, count - static_cast<int>(StampOrder::kReach) -
-                                                  static_cast<int>(scans_.size()));
+  num_to_pass_over_ =
+      num_read_ +
+      std::max(0, count - static_cast<int>(StampOrder::kReach) - static_cast<int>(scans_.size()));
   return ScanSource::Skip(count);
 }
 

@@ -130,9 +130,9 @@ void StampOrder::Start(const Entries& entries) {
       const bool is_recorded = entries[i].record_ns && entries[j].record_ns;
       const double expected = is_recorded ? Seconds(*entries[j].record_ns, *entries[i].record_ns)
                                           : steps * usual_interval_;
-      const double tolerance =
-          is_recorded ? kRecordTolerance
-                      : std::max(kOrdinaryIntervals * usual_interval_, kOrdinaryTime);
+      const double tolerance = is_recorded
+                                   ? kRecordTolerance
+                                   : std::max(kOrdinaryIntervals * usual_interval_, kOrdinaryTime);
       if (i == j) continue;
       const bool is_gap = !is_recorded && j > i && apart > 0.0 && apart <= kLongestGap;
       if (apart == 0.0) {
@@ -252,8 +252,8 @@ StampOrder::Decision StampOrder::Next(const Entries& entries) {
   as_stored.stamp_ns = Shifted(entry);
   if (since_last == 0.0 && !recent_ns_.empty()) {
     const bool leaves_hole =
-        next_good && SinceLast(entries[*next_good]) >
-                         (static_cast<double>(*next_good) + 0.5) * usual_interval_;
+        next_good &&
+        SinceLast(entries[*next_good]) > (static_cast<double>(*next_good) + 0.5) * usual_interval_;
     const bool is_another_scan = recorded ? *recorded > 0.5 * usual_interval_ : leaves_hole;
     if (is_another_scan) return Take(entries, Restamp(entries, next_good));
     as_stored.kind = Kind::kRepeated;

@@ -37,7 +37,8 @@ class StampOrder {
     kInOrder,
     kLate,      // was stored behind later ones
     kBadStamp,  // stamped anew
-    kClockSet,  // the first behind a step of the clock; `shift_ns` says how far stamps are moved now
+    kClockSet,  // the first behind a step of the clock; `shift_ns` says how far stamps are moved
+                // now
     kRepeated,  // has the stamp of the scan before; the stamp is left as it is
     kTooLate    // belongs before scans that are gone; the stamp is left as it is
   };

@@ -76,12 +76,10 @@ Numbers Describe(std::vector<double> values, bool are_whole) {
   numbers.step = Median(steps);
   const double num_steps = std::max(1.0, static_cast<double>(values.size()) - 1.0);
   numbers.repeat_share = static_cast<double>(num_repeats) / num_steps;
-  numbers.even_share = static_cast<double>(std::count_if(steps.begin(),
-                                                         steps.end(),
-                                                         [&](double step) {
-                                                           return step == numbers.step;
-                                                         })) /
-                       num_steps;
+  numbers.even_share =
+      static_cast<double>(std::count_if(
+          steps.begin(), steps.end(), [&](double step) { return step == numbers.step; })) /
+      num_steps;
   numbers.values = std::move(values);
   return numbers;
 }
@@ -118,9 +116,8 @@ Choice ChooseUnit(const Numbers& numbers) {
 // 0, 1, 2 or 12, 15, 18: numbers of scans or of camera images.
 bool IsCounter(const Numbers& numbers, const Choice& choice) {
   if (choice.has_date || numbers.even_share < 0.5 || numbers.values.size() < 3) return false;
-  const bool are_whole = std::all_of(numbers.values.begin(), numbers.values.end(), [](double v) {
-    return v == std::floor(v);
-  });
+  const bool are_whole = std::all_of(
+      numbers.values.begin(), numbers.values.end(), [](double v) { return v == std::floor(v); });
   if (!are_whole || !IsWithin(numbers.step, 1.0, kLargestCounterStep)) return false;
   // Written with a point they may as well be seconds, unless they number the scans.
   return numbers.are_whole || (numbers.step == 1.0 && numbers.values.front() <= 1.0);
@@ -163,8 +160,8 @@ bool SpreadRepeats(std::vector<std::int64_t>* stamps_ns) {
     const double interval = is_whole_run ? step / size : usual;
     for (std::size_t j = 0; j < runs[k].size; ++j) {
       const double position = static_cast<double>(j);
-      const double shift = k == 0 && has_next ? step - (size - position) * interval
-                                              : position * interval;
+      const double shift =
+          k == 0 && has_next ? step - (size - position) * interval : position * interval;
       (*stamps_ns)[runs[k].begin + j] = stored[runs[k].begin] + std::llround(shift);
     }
   }
@@ -270,8 +267,9 @@ std::optional<StampSequence> ReadStampSequence(const std::vector<std::string_vie
   }
   if (numbers.repeat_share > kLostPrecision) {
     if (SpreadRepeats(&sequence.stamps_ns)) {
-      sequence.doubt = "stamps repeat, as if their precision was lost; the scans between two "
-                       "different stamps are spread evenly";
+      sequence.doubt =
+          "stamps repeat, as if their precision was lost; the scans between two "
+          "different stamps are spread evenly";
     } else {
       sequence.stamps_ns.clear();
       for (std::size_t i = 0; i < texts.size(); ++i) {

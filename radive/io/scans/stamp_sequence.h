@@ -21,9 +21,9 @@ std::int64_t StampAt(double position, double rate);
 // The stamps of a drive as written, in nanoseconds.
 struct StampSequence {
   std::vector<std::int64_t> stamps_ns;
-  std::string unit;            // "ns", "us", "ms", "s", "dates", "counter" (the numbers are no time)
-  bool rate_is_used = false;   // the time base is a rate instead of stamps
-  std::string doubt;           // what a user should know; empty: nothing
+  std::string unit;           // "ns", "us", "ms", "s", "dates", "counter" (the numbers are no time)
+  bool rate_is_used = false;  // the time base is a rate instead of stamps
+  std::string doubt;          // what a user should know; empty: nothing
 };
 
 // A calendar date and time of day in UTC [ns since 1970]: "2011-09-26 13:02:25.594360375", also
