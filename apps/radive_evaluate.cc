@@ -10,7 +10,7 @@
 #include "app_main.h"
 #include "radive/evaluation/evaluate.h"
 #include "radive/evaluation/evaluation_report.h"
-#include "radive/io/read_reference.h"
+#include "radive/io/open/read_reference.h"
 #include "radive/pipeline/run_scores.h"
 
 DEFINE_string(reference,

@@ -10,7 +10,7 @@
 #include "apps/app_main.h"
 #include "radive/config/describe_config.h"
 #include "radive/config/load_config.h"
-#include "radive/io/open_scan_source.h"
+#include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/input_report.h"
 #include "radive/pipeline/run_sequence.h"
 #include "radive/util/exit_status.h"

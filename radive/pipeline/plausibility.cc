@@ -10,11 +10,12 @@
 namespace radive {
 namespace {
 
-constexpr std::size_t kMostValues = 5000;      // of each kind
-constexpr std::size_t kReturnsPerScan = 200;   // of these
+constexpr std::size_t kMostValues = 5000;     // of each kind
+constexpr std::size_t kReturnsPerScan = 200;  // of these
 constexpr std::size_t kFewestValues = 5;
 
-// Half of the returns of a road radar lie within 20 to 80 m; beyond this its unit is not metres [m].
+// Half of the returns of a road radar lie within 20 to 80 m; beyond this its unit is not metres
+// [m].
 constexpr double kFarthestMedian = 500.0;
 // Between a hundred and a thousand times 80 m or 20 m, in the middle of their logarithms [m].
 constexpr double kCentimetresEnd = 12500.0;
@@ -72,9 +73,9 @@ std::vector<std::string> Plausibility::Warnings() const {
     const double range = Median(ranges_);
     if (range > kFarthestMedian) {
       const bool are_cm = range < kCentimetresEnd;
-      warnings.push_back(Text("half of the returns are farther than %.4g m: are the positions in ",
-                              range) +
-                         (are_cm ? "centimetres" : "millimetres") + "? Metres are expected");
+      warnings.push_back(
+          Text("half of the returns are farther than %.4g m: are the positions in ", range) +
+          (are_cm ? "centimetres" : "millimetres") + "? Metres are expected");
     }
   }
   if (intervals_.size() >= kFewestValues) {

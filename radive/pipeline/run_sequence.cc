@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "radive/config/describe_config.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/doppler_sign.h"
 #include "radive/pipeline/map_files.h"

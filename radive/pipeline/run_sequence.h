@@ -8,7 +8,7 @@
 #include <string>
 
 #include "radive/config/run_config.h"
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_source.h"
 
 namespace radive {
 

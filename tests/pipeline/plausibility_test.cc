@@ -11,9 +11,9 @@
 namespace radive {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::Contains;
 using ::testing::IsEmpty;
 using ::testing::Not;
 

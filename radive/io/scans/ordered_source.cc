@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "radive/io/stamp_text.h"
+#include "radive/io/bytes/stamp_text.h"
 
 namespace radive {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/bag/counted_warnings.h"
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_source.h"
 #include "radive/io/scans/stamp_order.h"
+#include "radive/util/counted_warnings.h"
 
 namespace radive {
 

@@ -10,8 +10,8 @@
 #include <ctime>
 #include <utility>
 
-#include "radive/io/number_text.h"
-#include "radive/io/stamp_text.h"
+#include "radive/io/bytes/number_text.h"
+#include "radive/io/bytes/stamp_text.h"
 
 namespace radive {
 namespace {

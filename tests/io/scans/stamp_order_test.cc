@@ -18,9 +18,9 @@ using Kind = StampOrder::Kind;
 
 // What becomes of a drive: which scans come in which order, with which stamps.
 struct Outcome {
-  std::vector<int> order;       // indices in the order of storage
-  std::vector<double> stamps;   // of these [s]
-  std::vector<Kind> kinds;      // that are not kInOrder
+  std::vector<int> order;      // indices in the order of storage
+  std::vector<double> stamps;  // of these [s]
+  std::vector<Kind> kinds;     // that are not kInOrder
 };
 
 // Scans with these stamps, recorded at these times [s].
@@ -68,9 +68,9 @@ void ExpectStamps(const Outcome& outcome, const std::vector<double>& expected) {
 
 TEST(StampOrder, LeavesWhatIsInOrder) {
   std::vector<double> stamps = Regular(30, 100.0);
-  stamps[7] += 0.04;                                               // jitter
-  for (std::size_t i = 12; i < 30; ++i) stamps[i] += 0.3;          // lost scans
-  for (std::size_t i = 20; i < 30; ++i) stamps[i] += 60.0;         // a gap
+  stamps[7] += 0.04;                                        // jitter
+  for (std::size_t i = 12; i < 30; ++i) stamps[i] += 0.3;   // lost scans
+  for (std::size_t i = 20; i < 30; ++i) stamps[i] += 60.0;  // a gap
   const Outcome outcome = Play(stamps);
   EXPECT_EQ(outcome.stamps, stamps);
   EXPECT_TRUE(outcome.kinds.empty());

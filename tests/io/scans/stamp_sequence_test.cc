@@ -37,7 +37,8 @@ TEST(ReadStampSequence, TellsTheUnitByTheDate) {
 }
 
 TEST(ReadStampSequence, TellsTheUnitByTheInterval) {
-  EXPECT_THAT(Read({"0", "100000000", "200000000"}).stamps_ns, ElementsAre(0, 100 * kMs, 200 * kMs));
+  EXPECT_THAT(Read({"0", "100000000", "200000000"}).stamps_ns,
+              ElementsAre(0, 100 * kMs, 200 * kMs));
   EXPECT_THAT(Read({"0", "66667", "133333"}).stamps_ns, ElementsAre(0, 66667000, 133333000));
   EXPECT_THAT(Read({"5000", "5050", "5101"}).stamps_ns,
               ElementsAre(5000 * kMs, 5050 * kMs, 5101 * kMs));
@@ -54,8 +55,16 @@ TEST(ReadStampSequence, AnIntervalCountsMoreThanADate) {
 }
 
 TEST(ReadStampSequence, BadStampsDoNotChangeTheUnit) {
-  EXPECT_EQ(Read({"0", "0", "0", "1700000000100000", "1700000000200000", "1700000000300000",
-                  "9999999999999999", "1700000000500000", "1700000000600000", "1700000000700000"})
+  EXPECT_EQ(Read({"0",
+                  "0",
+                  "0",
+                  "1700000000100000",
+                  "1700000000200000",
+                  "1700000000300000",
+                  "9999999999999999",
+                  "1700000000500000",
+                  "1700000000600000",
+                  "1700000000700000"})
                 .unit,
             "us");
 }
@@ -82,12 +91,23 @@ TEST(ReadStampSequence, FrozenStampsAreNone) {
 
 // Whole seconds of a radar with 4 Hz that began 0.5 s before a full second: 0.25 s apart.
 TEST(ReadStampSequence, SpreadsStampsThatLostTheirPrecision) {
-  const StampSequence sequence = Read({"1700000000", "1700000000", "1700000001", "1700000001",
-                                       "1700000001", "1700000001", "1700000002", "1700000002"});
+  const StampSequence sequence = Read({"1700000000",
+                                       "1700000000",
+                                       "1700000001",
+                                       "1700000001",
+                                       "1700000001",
+                                       "1700000001",
+                                       "1700000002",
+                                       "1700000002"});
   const std::int64_t second = 1700000001000000000;
   EXPECT_THAT(sequence.stamps_ns,
-              ElementsAre(second - 500 * kMs, second - 250 * kMs, second, second + 250 * kMs,
-                          second + 500 * kMs, second + 750 * kMs, second + 1000 * kMs,
+              ElementsAre(second - 500 * kMs,
+                          second - 250 * kMs,
+                          second,
+                          second + 250 * kMs,
+                          second + 500 * kMs,
+                          second + 750 * kMs,
+                          second + 1000 * kMs,
                           second + 1250 * kMs));
   EXPECT_THAT(sequence.doubt, HasSubstr("spread evenly"));
   // Single-precision floats of seconds since 1970 are 128 s apart.
@@ -104,8 +124,13 @@ TEST(ParseDate, ReadsKittiAndIso) {
   EXPECT_EQ(ParseDate("2011-09-26 13:02:25.594360375"), 1317042145594360375);
   EXPECT_EQ(ParseDate("2023-11-14T22:13:20Z"), 1700000000000000000);
   EXPECT_EQ(ParseDate("2023/11/14-22_13_20.5"), 1700000000500000000);
-  for (const char* text : {"2011-09-26", "2011-13-26 13:02:25", "1700000000.5", "2011-09-26 25:02:25",
-                           "2011-09-26 13:02:25.", "2011-09-26 13:02:25.5x", ""}) {
+  for (const char* text : {"2011-09-26",
+                           "2011-13-26 13:02:25",
+                           "1700000000.5",
+                           "2011-09-26 25:02:25",
+                           "2011-09-26 13:02:25.",
+                           "2011-09-26 13:02:25.5x",
+                           ""}) {
     EXPECT_FALSE(ParseDate(text)) << text;
   }
 }
