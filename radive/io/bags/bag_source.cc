@@ -4,6 +4,7 @@
 #include "radive/io/bags/bag_source.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -274,7 +275,12 @@ void BagSource::ChooseStamps() {
       stamp_origin_ = StampOrigin::kHeader;
     }
   }
+  if (status_after_held_back_ == Status::kError && !has_read_) held_back_.clear();
   if (held_back_.empty()) return;
+  if (stamp_origin_ == StampOrigin::kHeader && !HeadersRunAsRecorded()) {
+    stamp_origin_ = StampOrigin::kRecord;
+    return;
+  }
   const std::int64_t stamp_ns = held_back_.front().header_ns;
   if (held_back_.size() == 1 && stamp_ns != 0) stamp_origin_ = StampOrigin::kHeader;
   if (stamp_origin_ != StampOrigin::kRecord) return;
@@ -288,6 +294,42 @@ void BagSource::ChooseStamps() {
                       (has_triggers ? "stamps of the triggers " + TriggerName()
                                     : std::string("times of recording")) +
                       " are taken instead");
+}
+
+// False, with a warning, when the header stamps say a rate that no radar has, and the times of
+// recording one that it has. Reads some messages more where the first two look like that.
+bool BagSource::HeadersRunAsRecorded() {
+  const auto is_plausible = [](double interval) { return interval >= 0.004 && interval <= 2.5; };
+  const auto seconds = [](std::int64_t end_ns, std::int64_t begin_ns) {
+    return 1e-9 * (static_cast<double>(end_ns) - static_cast<double>(begin_ns));
+  };
+  const auto interval = [&](std::int64_t Stamped::*time_ns) {
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < held_back_.size(); ++i) {
+      intervals.push_back(seconds(held_back_[i].*time_ns, held_back_[i - 1].*time_ns));
+    }
+    std::sort(intervals.begin(), intervals.end());
+    return intervals.empty() ? 0.1 : intervals[intervals.size() / 2];
+  };
+  if (is_plausible(interval(&Stamped::header_ns))) return true;
+  while (held_back_.size() < kMessagesLookedAt && status_after_held_back_ == Status::kScan) {
+    Stamped stamped;
+    status_after_held_back_ = ReadMessage(/*needs_returns=*/true, &stamped);
+    if (status_after_held_back_ == Status::kScan) held_back_.push_back(std::move(stamped));
+  }
+  const double by_header = interval(&Stamped::header_ns);
+  const double by_record = interval(&Stamped::record_ns);
+  const bool is_regular = held_back_.size() == kMessagesLookedAt && by_header > 0.0;
+  if (!is_regular || is_plausible(by_header) || !is_plausible(by_record)) return true;
+  char text[160];
+  std::snprintf(text,
+                sizeof(text),
+                "the header stamps of %s are %.4g s apart, but were recorded %.4g s apart",
+                topic().name.substr(0, 60).c_str(),
+                by_header,
+                by_record);
+  warnings_.push_back(place_ + ": " + text + "; the times of recording are taken instead");
+  return false;
 }
 
 bool BagSource::SetStamp(const Stamped& stamped, RadarScan* scan) {

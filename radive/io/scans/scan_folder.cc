@@ -210,7 +210,7 @@ bool FindStamps(const fs::path& root,
   std::snprintf(rate, sizeof(rate), "%g Hz", query.rate > 0.0 ? query.rate : kAssumedRate);
   folder->stamp_origin = rate;
   folder->stamps_are_positions = true;
-  if (!(query.rate > 0.0)) {
+  if (!(query.rate > 0.0) && folder->names.size() > 1) {
     folder->stamp_doubt = folder->path.string() + ": the scans have no stamps; " + RateText(0.0);
   }
   return true;
