@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "radive/util/exit_status.h"
+
 // Start of every program: logging, flags, --help and --version.
 //
 //   DEFINE_string(input, "", "Dataset folder or scan folder. Required.");
@@ -22,7 +24,7 @@
 // --help prints the usage and the flags defined in the program's own file (gflags would print
 // those of glog too) and exits with 0; so does --version. A flag that does not exist, a value of
 // the wrong type and an argument beyond `max_arguments` end the program with an error message
-// and 1.
+// and ExitStatus::kFailure.
 
 namespace radive {
 namespace app_internal {
@@ -86,18 +88,18 @@ inline void InitApp(int* argc,
   if (app_internal::IsFlagSet("help") || app_internal::IsFlagSet("helpshort") ||
       app_internal::IsFlagSet("helpfull")) {
     app_internal::PrintHelp(usage, app_file);
-    std::exit(EXIT_SUCCESS);
+    std::exit(Code(ExitStatus::kSuccess));
   }
   if (app_internal::IsFlagSet("version")) {
     std::printf("%s %s\n", program.c_str(), RADIVE_VERSION);
-    std::exit(EXIT_SUCCESS);
+    std::exit(Code(ExitStatus::kSuccess));
   }
   if (*argc > 1 + max_arguments) {
     std::fprintf(stderr,
                  "%s: unexpected argument '%s' (inputs are --flags; see --help)\n",
                  program.c_str(),
                  (*argv)[1 + max_arguments]);
-    std::exit(EXIT_FAILURE);
+    std::exit(Code(ExitStatus::kFailure));
   }
 }
 

@@ -41,8 +41,7 @@ DEFINE_bool(quiet, false, "No progress and remarks on stderr; errors are still p
 
 namespace {
 
-constexpr int kSomeFailed = 2;
-constexpr int kInterrupted = 130;
+using radive::ExitStatus;
 
 std::atomic<bool> stop{false};
 
@@ -54,7 +53,7 @@ extern "C" void HandleSignal(int signal_number) {
 
 int Fail(const std::string& error) {
   std::fprintf(stderr, "radive_batch: %s\n", error.c_str());
-  return EXIT_FAILURE;
+  return radive::Code(ExitStatus::kFailure);
 }
 
 std::string FromFlagOrEnvironment(const std::string& flag, const char* variable) {
@@ -122,14 +121,14 @@ int main(int argc, char** argv) {
                                                    : radive::RunStudy(*study, request, &error);
   switch (status) {
     case radive::StudyStatus::kDone:
-      return EXIT_SUCCESS;
+      return radive::Code(ExitStatus::kSuccess);
     case radive::StudyStatus::kSomeFailed:
-      return kSomeFailed;
+      return radive::Code(ExitStatus::kNoResult);
     case radive::StudyStatus::kInterrupted:
       std::fprintf(stderr, "radive_batch: interrupted; the same command goes on from here\n");
-      return kInterrupted;
+      return radive::Code(ExitStatus::kInterrupted);
     case radive::StudyStatus::kFailed:
       return Fail(error);
   }
-  return EXIT_FAILURE;
+  return radive::Code(ExitStatus::kFailure);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 #include "app_main.h"
 #include "radive/evaluation/evaluate.h"
 #include "radive/evaluation/evaluation_report.h"
-#include "radive/io/read_reference.h"
+#include "radive/io/open/read_reference.h"
 #include "radive/pipeline/run_scores.h"
 
 DEFINE_string(reference,
@@ -111,7 +110,7 @@ int main(int argc, char** argv) {
   std::string error;
   if (!Run(&error)) {
     std::fprintf(stderr, "radive_evaluate: %s\n", error.c_str());
-    return EXIT_FAILURE;
+    return radive::Code(radive::ExitStatus::kFailure);
   }
-  return EXIT_SUCCESS;
+  return radive::Code(radive::ExitStatus::kSuccess);
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdio>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -27,7 +26,7 @@ int Fail(const std::string& error) {
                 object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   }
   std::fprintf(stderr, "radive_inspect: %s\n", error.c_str());
-  return EXIT_FAILURE;
+  return radive::Code(radive::ExitStatus::kFailure);
 }
 
 }  // namespace
@@ -47,5 +46,5 @@ int main(int argc, char** argv) {
       radive::InspectInput(argv[1], config->input, config->odometry.sensor, &error);
   if (!report) return Fail(error);
   std::fputs((FLAGS_json ? report->ToJson() : report->ToText()).c_str(), stdout);
-  return EXIT_SUCCESS;
+  return radive::Code(radive::ExitStatus::kSuccess);
 }

@@ -4,16 +4,16 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
 
 #include "apps/app_main.h"
 #include "radive/config/describe_config.h"
 #include "radive/config/load_config.h"
-#include "radive/io/open_scan_source.h"
+#include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/input_report.h"
 #include "radive/pipeline/run_sequence.h"
+#include "radive/util/exit_status.h"
 
 DEFINE_string(input, "", "Dataset folder or scan folder. Required.");
 DEFINE_string(config,
@@ -38,6 +38,8 @@ DEFINE_bool(quiet, false, "No progress and remarks on stderr; errors are still p
 
 namespace {
 
+using radive::ExitStatus;
+
 std::atomic<bool> stop{false};
 
 // The first signal asks the run to finish its files; the second ends the program at once.
@@ -59,7 +61,7 @@ std::string CommandLine(int argc, char** argv) {
 
 int Fail(const std::string& error) {
   std::fprintf(stderr, "radive_odometry: %s\n", error.c_str());
-  return EXIT_FAILURE;
+  return radive::Code(ExitStatus::kFailure);
 }
 
 std::string FlagError() {
@@ -82,7 +84,7 @@ int main(int argc, char** argv) {
       "  radive_odometry --input=SEQUENCE --config=configs/DATASET.yaml --output=RESULTS");
   if (FLAGS_help_config) {
     std::fputs(radive::DescribeConfig().c_str(), stdout);
-    return EXIT_SUCCESS;
+    return radive::Code(ExitStatus::kSuccess);
   }
   std::string error = FlagError();
   if (!error.empty()) return Fail(error);
@@ -116,12 +118,15 @@ int main(int argc, char** argv) {
   std::fputs(scores.c_str(), stdout);
   switch (status) {
     case radive::RunStatus::kDone:
-      return EXIT_SUCCESS;
+      return radive::Code(ExitStatus::kSuccess);
     case radive::RunStatus::kInterrupted:
       std::fprintf(stderr, "radive_odometry: interrupted; the results so far are whole\n");
-      return 130;
+      return radive::Code(ExitStatus::kInterrupted);
+    case radive::RunStatus::kNoResult:
+      Fail(error);
+      return radive::Code(ExitStatus::kNoResult);
     case radive::RunStatus::kFailed:
       return Fail(error);
   }
-  return EXIT_FAILURE;
+  return radive::Code(ExitStatus::kFailure);
 }

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -37,7 +36,7 @@ namespace {
 
 int Fail(const std::string& message) {
   std::fprintf(stderr, "radive_simulate: %s\n", message.c_str());
-  return EXIT_FAILURE;
+  return radive::Code(radive::ExitStatus::kFailure);
 }
 
 }  // namespace
@@ -73,5 +72,5 @@ int main(int argc, char** argv) {
     return Fail(error);
   }
   std::printf("%d scans in %s\n", options->frames, FLAGS_output.c_str());
-  return EXIT_SUCCESS;
+  return radive::Code(radive::ExitStatus::kSuccess);
 }

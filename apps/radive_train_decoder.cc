@@ -4,7 +4,6 @@
 #include <gflags/gflags.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ namespace {
 
 int Fail(const std::string& message) {
   std::fprintf(stderr, "radive_train_decoder: %s\n", message.c_str());
-  return EXIT_FAILURE;
+  return radive::Code(radive::ExitStatus::kFailure);
 }
 
 }  // namespace
@@ -88,5 +87,5 @@ int main(int argc, char** argv) {
   if (!file.Open(folder, path.filename().string(), &error)) return Fail(error);
   file.Write(decoder.ToText(comment));
   if (!file.Commit(&error)) return Fail(error);
-  return EXIT_SUCCESS;
+  return radive::Code(radive::ExitStatus::kSuccess);
 }

@@ -54,9 +54,10 @@ def main():
     for config in sorted((ROOT / "configs").glob("*.yaml")):
         if f"configs/{config.name}" not in readme:
             found.append(f"configs/{config.name} is not in the README")
-    for folder in sorted(p for p in (ROOT / "radive").iterdir() if p.is_dir()):
-        if f"| `{folder.name}/` |" not in readme:
-            found.append(f"radive/{folder.name}/ is not in the README's table")
+    for parent, prefix in ((ROOT / "radive", ""), (ROOT / "radive" / "io", "io/")):
+        for folder in sorted(p for p in parent.iterdir() if p.is_dir()):
+            if f"| `{prefix}{folder.name}/` |" not in readme:
+                found.append(f"radive/{prefix}{folder.name}/ is not in the README's table")
     for factor in sorted((ROOT / "radive" / "factors").glob("*_factor.h")):
         if f"radive/factors/{factor.name}" not in readme:
             found.append(f"radive/factors/{factor.name} is not in the README's table")

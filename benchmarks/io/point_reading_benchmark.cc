@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "radive/io/open_scan_source.h"
-#include "radive/io/scan_writer.h"
+#include "radive/io/open/open_scan_source.h"
+#include "radive/io/open/open_scan_writer.h"
 #include "radive/util/random.h"
 #include "tests/io/scan_files.h"
 

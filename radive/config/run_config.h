@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "radive/config/output_options.h"
-#include "radive/io/input_options.h"
-#include "radive/io/reference_options.h"
+#include "radive/io/scans/input_options.h"
+#include "radive/io/trajectories/reference_options.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/util/option_field.h"
 

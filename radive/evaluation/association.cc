@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "radive/evaluation/nearest_value.h"
-#include "radive/io/stamp_text.h"
+#include "radive/io/bytes/stamp_text.h"
 
 namespace radive {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/scan_lookahead.h"
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_lookahead.h"
+#include "radive/io/scans/scan_source.h"
 #include "radive/sensor/sensor_options.h"
 
 namespace radive {

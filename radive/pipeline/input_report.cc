@@ -10,8 +10,8 @@
 #include <string_view>
 #include <variant>
 
-#include "radive/io/detect_format.h"
-#include "radive/io/open_scan_source.h"
+#include "radive/io/open/detect_format.h"
+#include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/doppler_sign.h"
 
 namespace radive {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/input_options.h"
-#include "radive/io/source_facts.h"
+#include "radive/io/scans/input_options.h"
+#include "radive/io/scans/source_facts.h"
 #include "radive/sensor/sensor_options.h"
 
 namespace radive {

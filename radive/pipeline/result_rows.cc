@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 
 namespace radive {
 namespace {

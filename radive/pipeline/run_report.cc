@@ -4,6 +4,7 @@
 #include "radive/pipeline/run_report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -47,11 +48,31 @@ double Percentile95(std::vector<float> times) {
   return static_cast<double>(times[static_cast<std::size_t>(rank)]);
 }
 
+// "12 returns left" and "13 returns left" are one reason.
+std::string WithoutNumbers(std::string text) {
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  text.erase(std::remove_if(text.begin(), text.end(), is_digit), text.end());
+  return text;
+}
+
 }  // namespace
 
-void RunReport::AddScan(const OdometryResult& result, double read_ms) {
+void RunReport::AddScan(const OdometryResult& result, double read_ms, const std::string& place) {
+  using Status = OdometryResult::Status;
   const std::string status = ToString(result.status);
   ++statuses_[status];
+  // The scan that starts the submap is registered with nothing.
+  const bool is_located = result.status == Status::kStanding ||
+                          (result.status == Status::kRegistered && result.num_pairs > 0);
+  if (is_located) {
+    ++num_located_;
+  } else if (!result.reason.empty()) {
+    FirstReason& kind = kinds_[WithoutNumbers(result.reason)];
+    if (kind.count++ == 0) {
+      kind.text = result.reason;
+      kind.place = place;
+    }
+  }
   if (!result.reason.empty()) {
     std::map<std::string, int>& reasons = reasons_[status];
     const bool is_new = reasons.find(result.reason) == reasons.end();
@@ -75,6 +96,25 @@ void RunReport::AddNote(const std::string& note) {
 int RunReport::num_with_status(OdometryResult::Status status) const {
   const auto found = statuses_.find(ToString(status));
   return found == statuses_.end() ? 0 : found->second;
+}
+
+std::string RunReport::WhyNoResult() const {
+  const bool is_one_scan =
+      num_scans() == 1 && num_with_status(OdometryResult::Status::kRegistered) == 1;
+  if (num_located_ > 0 || is_one_scan) return "";
+  std::string text = num_scans() == 0 ? "there are no scans"
+                                      : "none of " + std::to_string(num_scans()) +
+                                            " scans was registered or found standing";
+  const FirstReason* commonest = nullptr;
+  for (const auto& [key, kind] : kinds_) {
+    if (commonest == nullptr || kind.count > commonest->count) commonest = &kind;
+  }
+  if (commonest != nullptr) {
+    text += "; most often (" + std::to_string(commonest->count) + " scans): " + commonest->text;
+    if (!commonest->place.empty()) text += ", first in " + commonest->place;
+  }
+  if (!warnings_.empty()) text += "; first warning: " + warnings_.front();
+  return text;
 }
 
 std::string RunReport::ToJson(const RunConfig& config, const Facts& facts) const {

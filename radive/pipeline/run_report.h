@@ -18,7 +18,8 @@ namespace radive {
 // with the drive, but for four bytes a scan that the 95th percentile needs.
 class RunReport {
  public:
-  void AddScan(const OdometryResult& result, double read_ms);
+  // `place` of the scan: where it was read.
+  void AddScan(const OdometryResult& result, double read_ms, const std::string& place);
 
   // Remarks about the data. Only the first ones are kept, all are counted.
   void AddWarning(const std::string& warning);
@@ -26,6 +27,11 @@ class RunReport {
 
   int num_scans() const { return static_cast<int>(odometry_ms_.size()); }
   int num_with_status(OdometryResult::Status status) const;
+
+  // Why the poses are no result: no scan was registered with an earlier one or found standing. Says
+  // the commonest reason, the first scan that has it, and the first warning. Empty when some were,
+  // and for a drive of one scan that started the submap.
+  std::string WhyNoResult() const;
 
   // The facts that the loop does not count.
   struct Facts {
@@ -46,6 +52,12 @@ class RunReport {
   std::map<std::string, int> statuses_;
   std::map<std::string, std::map<std::string, int>> reasons_;  // status -> reason -> scans
   std::size_t num_reasons_ = 0;
+  struct FirstReason {
+    int count = 0;
+    std::string text, place;  // of the first scan
+  };
+  std::map<std::string, FirstReason> kinds_;  // of reasons: without their numbers
+  int num_located_ = 0;                       // registered with an earlier scan, or standing
   std::vector<std::string> warnings_;
   int num_warnings_ = 0;
   std::vector<std::string> notes_;

@@ -14,8 +14,8 @@
 
 #include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluation_report.h"
-#include "radive/io/pose_text.h"
-#include "radive/io/record_file.h"
+#include "radive/io/bytes/record_file.h"
+#include "radive/io/trajectories/pose_text.h"
 
 namespace radive {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "radive/evaluation/evaluate.h"
 #include "radive/geometry/rigid3.h"
-#include "radive/io/read_reference.h"
+#include "radive/io/open/read_reference.h"
 #include "radive/sensor/recorded_trajectory.h"
 
 namespace radive {

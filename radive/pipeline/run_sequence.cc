@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "radive/config/describe_config.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/doppler_sign.h"
 #include "radive/pipeline/map_files.h"
@@ -48,6 +48,14 @@ class SequenceRun {
     }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
+    // Of zero scans that were asked for, zero poses are the result.
+    if (status == RunStatus::kDone && request_.num_frames.value_or(1) > 0) {
+      const std::string reason = report_.WhyNoResult();
+      if (!reason.empty()) {
+        *error = request_.input + ": " + reason;
+        status = RunStatus::kNoResult;
+      }
+    }
     progress_.Finish();
     std::string write_error;
     if (!WriteFiles(status, *error, &write_error) && status != RunStatus::kFailed) {
@@ -119,7 +127,7 @@ class SequenceRun {
       frame_->Apply(&result);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
       if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
-      report_.AddScan(result, info.read_ms);
+      report_.AddScan(result, info.read_ms, scan.place);
       if (!writer_.AddScan(info, result, error)) return RunStatus::kFailed;
       progress_.Update(report_.num_scans());
     }
@@ -137,6 +145,7 @@ class SequenceRun {
   }
 
   void TellAboutSource() {
+    for (const std::string& warning : source_->TakeWarnings()) Warn(warning);
     if (!signed_source_.evidence().empty() && !has_told_sign_) {
       has_told_sign_ = true;
       if (signed_source_.is_decided()) {
@@ -145,7 +154,6 @@ class SequenceRun {
         Warn(signed_source_.evidence() + "; set input.doppler_sign to be sure");
       }
     }
-    for (const std::string& warning : source_->TakeWarnings()) Warn(warning);
   }
 
   // False when a file could not be written; the others are written all the same, run.json last.

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "radive/config/run_config.h"
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_source.h"
 
 namespace radive {
 
@@ -28,6 +28,7 @@ struct RunRequest {
 enum class RunStatus {
   kDone,         // to the end of the drive
   kInterrupted,  // by `stop`; the files are whole
+  kNoResult,     // to the end, but no scan was registered or found standing: see the error
   kFailed        // see the error; what was estimated before is in the files all the same
 };
 

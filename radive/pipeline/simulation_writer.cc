@@ -10,8 +10,8 @@
 #include <system_error>
 #include <variant>
 
-#include "radive/io/scan_writer.h"
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
+#include "radive/io/open/open_scan_writer.h"
 #include "radive/simulation/radar_simulator.h"
 
 namespace radive {

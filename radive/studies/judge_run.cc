@@ -15,7 +15,7 @@
 
 #include "radive/config/yaml_settings.h"
 #include "radive/evaluation/path_length.h"
-#include "radive/io/read_reference.h"
+#include "radive/io/open/read_reference.h"
 #include "radive/pipeline/run_scores.h"
 #include "radive/studies/score_run.h"
 

@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "radive/config/yaml_settings.h"
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
 #include "radive/studies/results_database.h"
 #include "radive/studies/run_folder.h"
 #include "radive/studies/summary.h"

@@ -9,8 +9,8 @@
 
 #include "radive/config/describe_config.h"
 #include "radive/config/yaml_settings.h"
-#include "radive/io/trajectory_io.h"
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "radive/util/text.h"
 
 namespace radive {

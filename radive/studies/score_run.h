@@ -7,7 +7,7 @@
 #include <string>
 
 #include "radive/evaluation/evaluation_options.h"
-#include "radive/io/read_reference.h"
+#include "radive/io/open/read_reference.h"
 #include "radive/pipeline/run_scores.h"
 #include "radive/studies/run_record.h"
 

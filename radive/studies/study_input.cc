@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "radive/config/yaml_settings.h"
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/simulation_writer.h"
 #include "radive/util/content_hash.h"
 

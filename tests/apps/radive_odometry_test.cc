@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "radive/config/run_config.h"
+#include "radive/util/exit_status.h"
 #include "tests/apps/run_program.h"
 #include "tests/scratch_folder.h"
 
@@ -109,6 +110,16 @@ TEST_F(RadiveOdometry, WritesResultsAndRepeatsThem) {
                                     (In("one") / "config.yaml").string()});
   ASSERT_EQ(again.code, 0) << again.output;
   EXPECT_EQ(ReadFile(In("one") / "scans.csv"), ReadFile(In("again") / "scans.csv"));
+}
+
+// README.md has the table of exit codes.
+TEST_F(RadiveOdometry, ExitsWithTwoWithoutAResult) {
+  MakeDrive(In("drive"), 5, 2);
+  const Outcome outcome = RunProgram(Arguments("out", {"--quiet"}));
+  EXPECT_EQ(outcome.code, Code(ExitStatus::kNoResult)) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("none of 5 scans was registered or found standing"));
+  EXPECT_THAT(outcome.output, HasSubstr("drive/000000.bin"));
+  EXPECT_EQ(RunProgram(Arguments("out", {"--frames=x"})).code, Code(ExitStatus::kFailure));
 }
 
 TEST_F(RadiveOdometry, StartAndFramesChooseAPart) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "radive/ego_velocity/ego_velocity_estimator.h"
-#include "radive/io/open_scan_source.h"
+#include "radive/io/open/open_scan_source.h"
 #include "radive/preprocessing/preprocess.h"
 #include "tests/shared_data.h"
 

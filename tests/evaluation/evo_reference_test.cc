@@ -14,7 +14,7 @@
 
 #include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluate.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "tests/shared_data.h"
 
 namespace radive {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "radive/io/bag/compression.h"
+#include "radive/io/bytes/compression.h"
 
 // The first byte says which packing the others have, the second what they should unpack to.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

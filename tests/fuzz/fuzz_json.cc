@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/raflow_json.h"
+#include "radive/io/datasets/raflow_json.h"
 #include "tests/fuzz/fuzz_table.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "radive/io/bag/mcap_reader.h"
+#include "radive/io/bags/mcap_reader.h"
 #include "tests/fuzz/read_bag.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

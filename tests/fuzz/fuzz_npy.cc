@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/npy.h"
+#include "radive/io/points/npy.h"
 #include "tests/fuzz/fuzz_table.h"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "radive/io/bag/point_cloud_messages.h"
-#include "radive/io/point_converter.h"
+#include "radive/io/bags/point_cloud_messages.h"
+#include "radive/io/scans/point_converter.h"
 
 // The first byte says which message the others are.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "radive/io/bag/bag_trajectory.h"
+#include "radive/io/bags/bag_trajectory.h"
 
 // The first byte says which message the others are.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "radive/io/raw_evidence.h"
-#include "radive/io/raw_source.h"
+#include "radive/io/points/raw_evidence.h"
+#include "radive/io/scans/raw_source.h"
 #include "tests/fuzz/fuzz_table.h"
 
 // The first byte says which layout the records have.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "radive/io/bag/rosbag2_folder.h"
+#include "radive/io/bags/rosbag2_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   radive::Rosbag2Metadata metadata;

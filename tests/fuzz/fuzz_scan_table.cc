@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/radarscenes_table.h"
-#include "radive/io/scan_stamps.h"
+#include "radive/io/datasets/radarscenes_table.h"
+#include "radive/io/scans/scan_stamps.h"
 
 // Tables beside the points: those of RadarScenes, files of stamps, and names that are stamps. The
 // first byte says which.

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "radive/io/bag/sqlite_bag_reader.h"
-#include "radive/io/bag/unpacking_message_source.h"
+#include "radive/io/bags/sqlite_bag_reader.h"
+#include "radive/io/bags/unpacking_message_source.h"
 #include "tests/fuzz/read_bag.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

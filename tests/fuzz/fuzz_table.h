@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "radive/io/point_converter.h"
+#include "radive/io/scans/point_converter.h"
 
 namespace radive::testing {
 

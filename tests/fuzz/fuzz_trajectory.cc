@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "radive/io/pose_table.h"
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/pose_table.h"
+#include "radive/io/trajectories/trajectory_io.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "radive/io/dicp_calibration.h"
-#include "radive/io/raflow_json.h"
-#include "radive/io/vod_poses.h"
+#include "radive/io/datasets/dicp_calibration.h"
+#include "radive/io/datasets/raflow_json.h"
+#include "radive/io/datasets/vod_poses.h"
 
 // Ground truth of View-of-Delft, RaFlow and Doppler-ICP. The first byte says which.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "radive/io/bag/bag_source.h"
-#include "radive/io/bag/message_source.h"
+#include "radive/io/bags/bag_source.h"
+#include "radive/io/bags/message_source.h"
 
 namespace radive {
 

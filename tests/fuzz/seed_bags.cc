@@ -10,11 +10,11 @@
 #include <memory>
 #include <string>
 
-#include "radive/io/bag/compression.h"
-#include "radive/io/bag/mcap_writer.h"
-#include "radive/io/bag/point_cloud_encoding.h"
-#include "radive/io/bag/ros1_bag_writer.h"
-#include "radive/io/bag/sqlite_bag_writer.h"
+#include "radive/io/bags/mcap_writer.h"
+#include "radive/io/bags/point_cloud_encoding.h"
+#include "radive/io/bags/ros1_bag_writer.h"
+#include "radive/io/bags/sqlite_bag_writer.h"
+#include "radive/io/bytes/compression.h"
 
 namespace radive {
 namespace {

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "radive/io/point_file_writer.h"
-#include "radive/io/whole_file.h"
+#include "radive/io/bytes/whole_file.h"
+#include "radive/io/points/point_file_writer.h"
 
 namespace radive {
 namespace {

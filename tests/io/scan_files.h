@@ -16,7 +16,7 @@
 #include <system_error>
 #include <vector>
 
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_source.h"
 
 namespace radive::testing {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/scan_source.h"
+#include "radive/io/scans/scan_source.h"
 
 namespace radive::testing {
 

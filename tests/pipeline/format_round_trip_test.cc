@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "radive/io/open_scan_source.h"
-#include "radive/io/scan_writer.h"
+#include "radive/io/open/open_scan_source.h"
+#include "radive/io/open/open_scan_writer.h"
 #include "radive/odometry/odometry.h"
 #include "radive/pipeline/simulation_writer.h"
 #include "radive/simulation/scenarios.h"

@@ -8,7 +8,7 @@
 
 #include <cstring>
 
-#include "radive/io/ply.h"
+#include "radive/io/points/ply.h"
 
 namespace radive {
 namespace {

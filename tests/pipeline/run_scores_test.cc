@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "radive/io/trajectory_io.h"
+#include "radive/io/trajectories/trajectory_io.h"
 #include "radive/pipeline/run_sequence.h"
 #include "tests/pipeline/fake_scan_source.h"
 #include "tests/scratch_folder.h"

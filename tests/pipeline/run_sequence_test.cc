@@ -93,11 +93,51 @@ TEST(RunSequence, WritesALineForEachScanAndAllFiles) {
   EXPECT_THAT(run["notes"].dump(), HasSubstr("Doppler sign +1"));
 }
 
+// Eight scans of three returns: too few to register, and nothing else in the drive.
+TEST(RunSequence, SaysWhyThereIsNoResult) {
+  const ScratchFolder scratch;
+  std::vector<RadarScan> scans = StaticScans(8, kForward, 1.0);
+  for (RadarScan& scan : scans) {
+    scan.returns.resize(3);
+    scan.place = "drive/" + std::to_string(scan.stamp_ns) + ".pcd";
+  }
+  FakeScanSource source(scans);
+  source.Warn("drive/0.pcd: 9 bytes too many");
+  std::string error;
+  ASSERT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path()), &source, &error),
+            RunStatus::kNoResult);
+  EXPECT_THAT(error,
+              ::testing::StartsWith("somewhere: none of 8 scans was registered or found standing; "
+                                    "most often (8 scans): "));
+  EXPECT_THAT(error, HasSubstr("first in drive/0.pcd"));
+  EXPECT_THAT(error, HasSubstr("first warning: drive/0.pcd: 9 bytes too many"));
+  EXPECT_EQ(RunJson(scratch.path())["error"], error);
+  EXPECT_EQ(CountLines(scratch.path() / "trajectory_tum.txt"), 8);
+}
+
+TEST(RunSequence, ADriveOfOneScanIsAResultAndOneOfNoneIsNot) {
+  const ScratchFolder scratch;
+  std::string error;
+  FakeScanSource one(StaticScans(1, kForward, 1.0));
+  EXPECT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path() / "one"), &one, &error),
+            RunStatus::kDone)
+      << error;
+  FakeScanSource none({});
+  EXPECT_EQ(RunSequence(RunConfig(), RequestFor(scratch.path() / "none"), &none, &error),
+            RunStatus::kNoResult);
+  EXPECT_EQ(error, "somewhere: there are no scans");
+  // Nothing was asked for.
+  FakeScanSource ignored(StaticScans(2, kForward, 1.0));
+  RunRequest request = RequestFor(scratch.path() / "zero");
+  request.num_frames = 0;
+  EXPECT_EQ(RunSequence(RunConfig(), request, &ignored, &error), RunStatus::kDone);
+}
+
 TEST(RunSequence, TheWrittenConfigurationReadsBack) {
   const ScratchFolder scratch;
   RunConfig config;
   config.output.map_resolution = 0.75;
-  FakeScanSource source({});
+  FakeScanSource source(StaticScans(3, kForward, 1.0));
   std::string error;
   ASSERT_EQ(RunSequence(config, RequestFor(scratch.path()), &source, &error), RunStatus::kDone);
   const auto read = LoadRunConfig((scratch.path() / "config.yaml").string(), "", &error);

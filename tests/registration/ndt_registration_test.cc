@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "radive/io/open_scan_source.h"
+#include "radive/io/open/open_scan_source.h"
 #include "radive/ndt/gaussian_builder.h"
 #include "radive/preprocessing/preprocess.h"
 #include "radive/registration/registration.h"

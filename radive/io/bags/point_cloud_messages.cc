@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/bags/point_cloud_messages.h"
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "radive/io/bags/ros_message_reader.h"
+
+namespace radive {
+namespace {
+
+// Far more than any scan has. A point can be a single byte of the message, but is 40 of a scan.
+constexpr std::uint64_t kMostPoints = 1 << 22;
+
+// PointField.datatype.
+std::optional<NumericType> TypeOfNumber(std::uint8_t datatype) {
+  switch (datatype) {
+    case 1:
+      return NumericType::kInt8;
+    case 2:
+      return NumericType::kUint8;
+    case 3:
+      return NumericType::kInt16;
+    case 4:
+      return NumericType::kUint16;
+    case 5:
+      return NumericType::kInt32;
+    case 6:
+      return NumericType::kUint32;
+    case 7:
+      return NumericType::kFloat32;
+    case 8:
+      return NumericType::kFloat64;
+    default:
+      return std::nullopt;
+  }
+}
+
+RosMessageReader::Encoding EncodingOf(const MessageTopic& topic) {
+  return topic.encoding == "ros1" ? RosMessageReader::Encoding::kRos1
+                                  : RosMessageReader::Encoding::kCdr;
+}
+
+// Numbers of a PointCloud2, beside its fields.
+struct Grid {
+  std::uint64_t height = 0;
+  std::uint64_t width = 0;
+  std::uint64_t point_step = 0;  // [bytes]
+  std::uint64_t row_step = 0;    // [bytes]
+};
+
+void ReadFields(RosMessageReader* reader, PointTable* table) {
+  const std::uint32_t num_fields = reader->U32();
+  for (std::uint32_t i = 0; i < num_fields && !reader->failed(); ++i) {
+    PointField field;
+    field.name = reader->String();
+    field.offset = reader->U32();
+    const std::optional<NumericType> type = TypeOfNumber(reader->U8());
+    field.count = reader->U32();
+    if (field.count == 0) field.count = 1;
+    // A type of tomorrow makes its field unknown, not the others.
+    if (type) {
+      field.type = *type;
+      table->fields.push_back(std::move(field));
+    }
+  }
+}
+
+// True when `data` hold the records that the numbers promise.
+bool CheckGrid(const Grid& grid, std::size_t data_size, std::string* error) {
+  const auto bytes = [](std::uint64_t count) { return std::to_string(count) + " bytes"; };
+  if (grid.point_step == 0) {
+    *error = "a point_step of 0";
+  } else if (grid.row_step / grid.point_step < grid.width) {
+    *error = "a row_step of " + bytes(grid.row_step) + " for " + std::to_string(grid.width) +
+             " points of " + bytes(grid.point_step);
+  } else if (data_size / grid.row_step < grid.height) {
+    *error = bytes(data_size) + " of data for " + std::to_string(grid.height) + " rows of " +
+             bytes(grid.row_step);
+  } else {
+    return true;
+  }
+  return false;
+}
+
+// Sets the records of the table: a view of `data`, unless there are gaps between the rows.
+void SetRecords(const Grid& grid, std::string_view data, PointTable* table) {
+  table->stride = static_cast<std::size_t>(grid.point_step);
+  table->num_points = static_cast<std::size_t>(grid.width * grid.height);
+  table->data = data.data();
+  const std::uint64_t row_size = grid.width * grid.point_step;
+  if (grid.height <= 1 || row_size == grid.row_step) return;
+  for (std::uint64_t row = 0; row < grid.height; ++row) {
+    const auto points = data.substr(static_cast<std::size_t>(row * grid.row_step),
+                                    static_cast<std::size_t>(row_size));
+    table->owned.insert(table->owned.end(), points.begin(), points.end());
+  }
+  table->data = table->owned.data();
+}
+
+bool ReadPointCloud2(RosMessageReader* reader, PointTable* table, std::string* error) {
+  Grid grid;
+  grid.height = reader->U32();
+  grid.width = reader->U32();
+  ReadFields(reader, table);
+  table->is_big_endian = reader->U8() != 0;
+  grid.point_step = reader->U32();
+  grid.row_step = reader->U32();
+  const std::string_view data = reader->Bytes(reader->U32());
+  if (reader->failed()) {
+    *error = "the message is cut off";
+    return false;
+  }
+  table->stride = static_cast<std::size_t>(grid.point_step);
+  if (grid.width == 0 || grid.height == 0) return true;
+  // One row needs no step, and some drivers set none.
+  if (grid.height == 1 || grid.row_step == 0) grid.row_step = grid.width * grid.point_step;
+  if (!CheckGrid(grid, data.size(), error)) return false;
+  SetRecords(grid, data, table);
+  return true;
+}
+
+// The channels lie one behind the other: they are put side by side.
+bool ReadNamedChannels(RosMessageReader* reader, PointTable* table, std::string* error) {
+  constexpr std::size_t kFloat = 4;  // [bytes]
+  const std::uint32_t num_points = reader->U32();
+  const std::string_view points = reader->Bytes(3 * kFloat * num_points);
+  for (const char* name : {"x", "y", "z"}) table->AddField(name, NumericType::kFloat32);
+  const std::uint32_t num_channels = reader->U32();
+  std::vector<std::string_view> channels;
+  for (std::uint32_t i = 0; i < num_channels && !reader->failed(); ++i) {
+    const std::string name(reader->String());
+    const std::uint32_t num_values = reader->U32();
+    channels.push_back(reader->Bytes(kFloat * num_values));
+    if (!reader->failed() && num_values != num_points) {
+      *error = "channel '" + name + "' has " + std::to_string(num_values) + " values for " +
+               std::to_string(num_points) + " points";
+      return false;
+    }
+    table->AddField(name, NumericType::kFloat32);
+  }
+  if (reader->failed()) {
+    *error = "the message is cut off";
+    return false;
+  }
+  table->is_big_endian = reader->is_big_endian();
+  table->num_points = num_points;
+  table->owned.resize(num_points * table->stride);
+  table->data = table->owned.data();
+  for (std::size_t i = 0; i < num_points; ++i) {
+    char* place = table->owned.data() + i * table->stride;
+    place += points.copy(place, 3 * kFloat, i * 3 * kFloat);
+    for (const std::string_view channel : channels) {
+      place += channel.copy(place, kFloat, i * kFloat);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+PointCloudType PointCloudTypeOf(const MessageTopic& topic) {
+  if (topic.type == "sensor_msgs/PointCloud2" || topic.type == "sensor_msgs/msg/PointCloud2") {
+    return PointCloudType::kPointCloud2;
+  }
+  if (topic.type == "sensor_msgs/PointCloud" || topic.type == "sensor_msgs/msg/PointCloud") {
+    return PointCloudType::kPointCloud;
+  }
+  return PointCloudType::kNone;
+}
+
+bool IsRosEncoding(const MessageTopic& topic) {
+  return topic.encoding == "ros1" || topic.encoding == "cdr";
+}
+
+bool ReadPointCloudStamp(std::string_view payload,
+                         const MessageTopic& topic,
+                         std::int64_t* stamp_ns) {
+  RosMessageReader reader(payload, EncodingOf(topic));
+  *stamp_ns = reader.ReadHeader().stamp_ns;
+  return !reader.failed();
+}
+
+bool ReadPointCloud(std::string_view payload,
+                    const MessageTopic& topic,
+                    PointTable* table,
+                    std::string* error) {
+  *table = PointTable();
+  RosMessageReader reader(payload, EncodingOf(topic));
+  reader.ReadHeader();
+  const bool is_read = PointCloudTypeOf(topic) == PointCloudType::kPointCloud2
+                           ? ReadPointCloud2(&reader, table, error)
+                           : ReadNamedChannels(&reader, table, error);
+  if (is_read && table->num_points <= kMostPoints) return true;
+  if (is_read) {
+    *error = std::to_string(table->num_points) + " points, expected at most " +
+             std::to_string(kMostPoints);
+  }
+  *table = PointTable();
+  return false;
+}
+
+}  // namespace radive

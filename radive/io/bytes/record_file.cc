@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/bytes/record_file.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <string_view>
+#include <system_error>
+
+namespace radive {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+
+std::string SystemMessage(int number) { return std::generic_category().message(number); }
+
+using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+FilePointer OpenFile(const std::filesystem::path& path) {
+  return FilePointer(std::fopen(path.c_str(), "rb"), &std::fclose);
+}
+
+}  // namespace
+
+bool IsLfsPointer(const std::filesystem::path& path, std::string* error) {
+  constexpr std::string_view kStart = "version https://git-lfs";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;
+  const FilePointer file = OpenFile(path);
+  std::array<char, kStart.size()> start;
+  if (file == nullptr || std::fread(start.data(), 1, start.size(), file.get()) != start.size() ||
+      std::string_view(start.data(), start.size()) != kStart) {
+    return false;
+  }
+  *error =
+      path.string() + ": a Git-LFS pointer instead of the data; fetch them with 'git lfs pull'";
+  return true;
+}
+
+bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std::string* error) {
+  content->clear();
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  if (!std::filesystem::is_regular_file(status)) {
+    *error =
+        path.string() + ": cannot be opened: " + (failure ? failure.message() : "no regular file");
+    return false;
+  }
+  if (IsLfsPointer(path, error)) return false;
+  const FilePointer file = OpenFile(path);
+  if (file == nullptr) {
+    *error = path.string() + ": cannot be opened: " + SystemMessage(errno);
+    return false;
+  }
+  std::array<char, 65536> buffer;
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    if (content->size() + count > kLargestFile) {
+      content->clear();
+      *error = path.string() + ": larger than 1 GiB, expected a single scan or a small table";
+      return false;
+    }
+    content->append(buffer.data(), count);
+  }
+  if (std::ferror(file.get()) != 0) {
+    content->clear();
+    *error = path.string() + ": cannot be read: " + SystemMessage(errno);
+    return false;
+  }
+  return true;
+}
+
+std::uint64_t CountRecords(std::uint64_t file_size,
+                           std::size_t record_size,
+                           const std::string& record_name,
+                           std::vector<std::string>* remarks) {
+  if (const std::uint64_t tail = file_size % record_size; tail != 0) {
+    remarks->push_back("the size of " + std::to_string(file_size) + " bytes is no multiple of " +
+                       std::to_string(record_size) + " (" + record_name + "); the last " +
+                       std::to_string(tail) + " are ignored");
+  }
+  return file_size / record_size;
+}
+
+}  // namespace radive

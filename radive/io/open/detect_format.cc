@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/open/detect_format.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "radive/io/bytes/record_file.h"
+#include "radive/io/bytes/text_lines.h"
+#include "radive/io/datasets/radarscenes_hdf5.h"
+#include "radive/io/datasets/raflow_source.h"
+#include "radive/io/points/raw_evidence.h"
+#include "radive/io/scans/scan_folder.h"
+
+namespace radive {
+namespace {
+
+namespace fs = std::filesystem;
+using Format = InputOptions::Format;
+
+// How a dataset's folder is known.
+struct FolderForm {
+  const char* dataset;
+  const char* folder;     // with the scans, below the drive; "" the drive itself
+  const char* extension;  // of the scans
+  const char* sibling;    // file that must be in the drive's own folder; "" none
+  Format format;
+  const char* layout;
+};
+
+// In this order; those that also know the names of folders below the drive come first.
+constexpr FolderForm kForms[] = {
+    {"HeRCULES Continental", "Radar/Continental", ".bin", "", Format::kHercules, ""},
+    {"HeRCULES Continental", "Continental", ".bin", "", Format::kHercules, ""},
+    {"HeRCULES Aeva", "LiDAR/Aeva", ".bin", "", Format::kRaw, "aeva"},
+    {"HeRCULES Aeva", "Aeva", ".bin", "", Format::kRaw, "aeva"},
+    {"SNAIL-Radar ARS548", "ars548/points", ".pcd", "", Format::kPcd, ""},
+    {"SNAIL-Radar Oculii", "eagleg7/enhanced", ".pcd", "", Format::kPcd, ""},
+    {"ColoRadar", "single_chip/pointclouds/data", ".bin", "", Format::kRaw, "coloradar5"},
+    {"Doppler-ICP", "point_clouds", ".bin", "ref_poses.txt", Format::kRaw, "dicp4"},
+    {"Doppler-ICP", "point_clouds", ".bin", "calibration.json", Format::kRaw, "dicp4"},
+    {"Boreas Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva40"},
+    {"Boreas Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva7"},
+};
+
+constexpr struct {
+  const char* extension;
+  Format format;
+} kExtensions[] = {
+    {".pcd", Format::kPcd},
+    {".ply", Format::kPly},
+    {".npy", Format::kNpy},
+    {".csv", Format::kCsv},
+    {".yaml", Format::kYaml},
+};
+
+constexpr const char* kUsualFolders[] = {"",
+                                         "radar",
+                                         "velodyne",
+                                         "training/velodyne",
+                                         "radar/training/velodyne",
+                                         "points",
+                                         "pointclouds"};
+
+std::string FirstBytes(const fs::path& path) {
+  std::string bytes(64, '\0');
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) return "";
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
+  std::fclose(file);
+  return bytes;
+}
+
+bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+bool StartsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+class Detection {
+ public:
+  Detection(const fs::path& path, InputOptions* options, std::string* reason, std::string* error)
+      : path_(path), options_(options), reason_(reason), error_(error) {}
+
+  bool Run() {
+    std::error_code failure;
+    const fs::file_status status = fs::status(path_, failure);
+    if (fs::is_regular_file(status)) return File();
+    if (!fs::is_directory(status)) {
+      return Refuse(
+          "expected a folder with radar scans, a bag or a point file, but it does not exist");
+    }
+    if (Bags() || RadarScenes() || RaFlow()) return true;
+    if (options_->folder.empty()) {
+      bool is_ambiguous = false;
+      if (KnownFolder(&is_ambiguous)) return true;
+      if (is_ambiguous) return false;
+    }
+    return PointFiles();
+  }
+
+ private:
+  bool Refuse(const std::string& what) {
+    *error_ = path_.string() + ": " + what;
+    return false;
+  }
+
+  bool Take(Format format, const std::string& reason) {
+    options_->format = format;
+    *reason_ = reason;
+    return true;
+  }
+
+  bool File() {
+    if (IsLfsPointer(path_, error_)) return false;
+    const std::string bytes = FirstBytes(path_);
+    const std::string extension = LowerCase(path_.extension().string());
+    if (StartsWith(bytes, "#ROSBAG V")) return Take(Format::kRosbag1, "starts with #ROSBAG");
+    if (StartsWith(bytes, "\x89MCAP0\r\n")) return Take(Format::kMcap, "starts with MCAP's magic");
+    if (StartsWith(bytes, "SQLite format 3")) {
+      return Take(Format::kRosbag2, "starts with 'SQLite format 3'");
+    }
+    for (const char* bag : {".bag", ".mcap", ".db3"}) {
+      if (extension == bag) {
+        return Refuse("the name ends in " + extension + ", but the first bytes are not those of " +
+                      "such a file, found " + Quoted(bytes.substr(0, 16)));
+      }
+    }
+    if (StartsWith(bytes, "\x93NUMPY")) return Take(Format::kNpy, "starts with \\x93NUMPY");
+    if (StartsWith(bytes, "\x89HDF\r\n")) {
+      return Take(Format::kRadarScenes, "an HDF5 file, as RadarScenes has");
+    }
+    if (StartsWith(bytes, "ply\n") || StartsWith(bytes, "ply\r")) {
+      return Take(Format::kPly, "starts with 'ply'");
+    }
+    for (const auto& known : kExtensions) {
+      if (extension == known.extension) return Take(known.format, "ends in " + extension);
+    }
+    std::int64_t sequence, sample;
+    if (ParseRaFlowName(path_.filename().string(), &sequence, &sample)) {
+      return Take(Format::kRaFlow, "is named as RaFlow's files are");
+    }
+    if (extension == ".bin") return RawFile(path_, "");
+    return Refuse(
+        "cannot tell what this file is; expected a bag (.bag, .mcap, .db3), points "
+        "(.pcd, .ply, .csv, .npy, .yaml, .bin), or a folder of them, found " +
+        Quoted(bytes.substr(0, 16)));
+  }
+
+  std::vector<std::string> Files(const fs::path& folder, const char* extension) {
+    std::vector<std::string> names;
+    std::string ignored;
+    ListFiles(folder, extension, &names, &ignored);
+    return names;
+  }
+
+  bool Bags() {
+    std::error_code ignored;
+    if (fs::exists(path_ / "metadata.yaml", ignored)) {
+      std::string text;
+      ReadWholeFile(path_ / "metadata.yaml", &text, error_);
+      if (text.find("storage_identifier: mcap") != std::string::npos) {
+        return Take(Format::kMcap, "metadata.yaml says storage_identifier: mcap");
+      }
+      if (text.find("storage_identifier: sqlite3") != std::string::npos) {
+        return Take(Format::kRosbag2, "metadata.yaml says storage_identifier: sqlite3");
+      }
+    }
+    for (const auto& [extension, format] : {std::pair(".bag", Format::kRosbag1),
+                                            std::pair(".mcap", Format::kMcap),
+                                            std::pair(".db3", Format::kRosbag2)}) {
+      const std::size_t count = Files(path_, extension).size();
+      if (count > 0) {
+        return Take(format, "holds " + std::to_string(count) + " files *" + extension);
+      }
+    }
+    return false;
+  }
+
+  bool RadarScenes() {
+    for (const std::string& name : Files(path_ / options_->folder, "_scans.csv")) {
+      if (StartsWith(name, "radar")) return Take(Format::kRadarScenes, "holds " + name);
+    }
+    if (FindRadarScenesHdf5(path_, options_->folder)) {
+      return Take(Format::kRadarScenes, "holds radar_data.h5");
+    }
+    return false;
+  }
+
+  bool RaFlow() {
+    std::error_code failure;
+    for (fs::recursive_directory_iterator it(path_ / options_->folder, failure), end;
+         !failure && it != end;
+         it.increment(failure)) {
+      if (it.depth() >= 2) it.disable_recursion_pending();
+      std::int64_t sequence, sample;
+      const std::string name = it->path().filename().string();
+      if (ParseRaFlowName(name, &sequence, &sample)) {
+        return Take(Format::kRaFlow, "holds files named as RaFlow's, such as " + name);
+      }
+    }
+    return false;
+  }
+
+  // The drive's form by the names of its folders; also where the path is such a folder itself.
+  bool KnownFolder(bool* is_ambiguous) {
+    const FolderForm* found = nullptr;
+    fs::path place;
+    for (const FolderForm& form : kForms) {
+      std::error_code ignored;
+      if (*form.sibling != '\0' && !fs::exists(path_ / form.sibling, ignored)) continue;
+      const fs::path here = IsItself(form) ? path_ : path_ / form.folder;
+      if (Files(here, form.extension).empty()) continue;
+      // With input.radar all the first says what dataset it is.
+      if (found != nullptr && found->dataset != std::string_view(form.dataset)) {
+        if (options_->radar == "all") continue;
+        *is_ambiguous = true;
+        return Refuse("holds " + std::string(found->dataset) + " (" + found->folder + ") and " +
+                      form.dataset + " (" + form.folder +
+                      "); take a configuration from configs/, or say with input.folder which");
+      }
+      // Of two releases of a dataset the one whose records fit the files.
+      if (found == nullptr || (!Fits(*found, place) && Fits(form, here))) {
+        found = &form;
+        place = here;
+      }
+    }
+    if (found == nullptr) return KnownFolderBelow();
+    if (found->format != Format::kHercules) {
+      options_->folder = place == path_ ? "." : found->folder;
+    }
+    return TakeForm(*found, "*" + std::string(found->extension) + " in " + place.string());
+  }
+
+  bool IsItself(const FolderForm& form) const {
+    std::string path = fs::absolute(path_).lexically_normal().generic_string();
+    if (EndsWith(path, "/")) path.pop_back();
+    return EndsWith(path, std::string("/") + form.folder);
+  }
+
+  // Whether the records of a raw form divide the first file that is not empty.
+  bool Fits(const FolderForm& form, const fs::path& folder) {
+    for (const std::string& name : Files(folder, form.extension)) {
+      std::error_code failure;
+      const std::uintmax_t size = fs::file_size(folder / name, failure);
+      if (failure || size == 0) continue;
+      const std::vector<std::string> layouts = LayoutsOfSize(static_cast<std::size_t>(size));
+      return std::find(layouts.begin(), layouts.end(), form.layout) != layouts.end();
+    }
+    return false;
+  }
+
+  // Users unpack the archives of HeRCULES into folders of their own.
+  bool KnownFolderBelow() {
+    std::error_code failure;
+    const auto options = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator it(path_, options, failure), end; !failure && it != end;
+         it.increment(failure)) {
+      std::error_code ignored;
+      if (it.depth() >= 4) it.disable_recursion_pending();
+      if (!it->is_directory(ignored)) continue;
+      if (it->path().filename() == "Continental" && !Files(it->path(), ".bin").empty()) {
+        return TakeForm(kForms[0], "*.bin in " + it->path().string());
+      }
+    }
+    return false;
+  }
+
+  bool TakeForm(const FolderForm& form, const std::string& what) {
+    if (options_->layout.empty()) options_->layout = form.layout;
+    return Take(form.format, std::string(form.dataset) + ": " + what);
+  }
+
+  // By the extensions of the files in the usual places.
+  bool PointFiles() {
+    std::vector<std::string> folders(std::begin(kUsualFolders), std::end(kUsualFolders));
+    if (!options_->folder.empty()) folders = {options_->folder};
+    for (const std::string& folder : folders) {
+      const fs::path place = folder.empty() ? path_ : path_ / folder;
+      for (const auto& known : kExtensions) {
+        const std::size_t count = Files(place, known.extension).size();
+        if (count == 0) continue;
+        options_->folder = folder.empty() ? "." : folder;
+        return Take(known.format,
+                    std::to_string(count) + " files *" + known.extension + " in " + place.string());
+      }
+      for (const std::string& name : Files(place, ".bin")) {
+        std::error_code ignored;
+        if (fs::file_size(place / name, ignored) == 0) continue;
+        return RawFile(place / name, folder.empty() ? "." : folder);
+      }
+    }
+    return Refuse(
+        "no scans found; looked for bags (*.bag, *.mcap, *.db3, metadata.yaml), point files "
+        "(*.pcd, "
+        "*.ply, *.npy, *.csv, *.bin) here and in radar/, velodyne/, training/velodyne/, points/, "
+        "and for the folders of RadarScenes, RaFlow, HeRCULES, SNAIL-Radar, ColoRadar, Doppler-ICP "
+        "and Boreas");
+  }
+
+  // A raw file says nothing of itself: its numbers must prove a layout, or the user must know.
+  bool RawFile(const fs::path& file, const std::string& folder) {
+    if (options_->folder.empty()) options_->folder = folder;
+    if (!options_->layout.empty()) return Take(Format::kRaw, "*.bin, input.layout is set");
+    std::string bytes;
+    if (!ReadWholeFile(file, &bytes, error_)) return false;
+    std::string evidence;
+    const std::string layout = ProvenLayout(bytes, &evidence);
+    if (!layout.empty()) {
+      options_->layout = layout;
+      return Take(Format::kRaw, "raw records, layout " + layout + ": " + evidence);
+    }
+    std::string fitting;
+    for (const std::string& name : LayoutsOfSize(bytes.size())) {
+      fitting += (fitting.empty() ? "" : ", ") + name;
+    }
+    return Refuse("holds raw files, which do not tell their columns; set input.layout (" +
+                  file.filename().string() + " has " + std::to_string(bytes.size()) +
+                  " bytes, which fits " + (fitting.empty() ? "no known layout" : fitting) +
+                  "), or take the dataset's configuration from configs/");
+  }
+
+  const fs::path path_;
+  InputOptions* const options_;
+  std::string* const reason_;
+  std::string* const error_;
+};
+
+}  // namespace
+
+bool DetectFormat(const fs::path& path,
+                  InputOptions* options,
+                  std::string* reason,
+                  std::string* error) {
+  if (options->format != Format::kAuto) {
+    *reason = "as set";
+    return true;
+  }
+  return Detection(path, options, reason, error).Run();
+}
+
+}  // namespace radive

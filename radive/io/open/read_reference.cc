@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "radive/io/open/read_reference.h"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "radive/io/bags/bag_trajectory.h"
+#include "radive/io/bags/open_message_source.h"
+#include "radive/io/bytes/record_file.h"
+#include "radive/io/bytes/stamp_text.h"
+#include "radive/io/bytes/text_lines.h"
+#include "radive/io/datasets/dicp_calibration.h"
+#include "radive/io/datasets/radarscenes_hdf5.h"
+#include "radive/io/datasets/raflow_source.h"
+#include "radive/io/datasets/vod_poses.h"
+#include "radive/io/scans/scan_folder.h"
+#include "radive/io/scans/scan_stamps.h"
+#include "radive/io/trajectories/pose_table.h"
+#include "radive/io/trajectories/pose_text.h"
+#include "radive/io/trajectories/trajectory_io.h"
+
+namespace radive {
+namespace {
+
+namespace fs = std::filesystem;
+using Format = ReferenceOptions::Format;
+
+// Where the datasets put their ground truth, below the folder of the drive.
+constexpr struct {
+  const char* file;
+  Format format;
+} kKnownFiles[] = {
+    {"gt_odom.txt", Format::kTum},
+    {"PR_GT/Continental_gt.txt", Format::kTum},
+    {"PR_GT/Aeva_gt.txt", Format::kTum},
+    {"ref_tls_T_xt32.csv", Format::kTable},
+    {"utm50r_T_xt32.txt", Format::kTum},
+    {"ref_poses.txt", Format::kDicp},
+    {"applanix/aeva_poses.csv", Format::kBoreas},
+    {"groundtruth/groundtruth_poses.txt", Format::kColoRadar},
+    {"groundtruth_poses.txt", Format::kColoRadar},
+    {"gt_poses_kitti.txt", Format::kKitti},
+};
+
+const std::string& NameOf(Format format) {
+  return ReferenceFormatNames()[static_cast<std::size_t>(format)];
+}
+
+// A file or folder, and how it is to be read.
+struct Found {
+  fs::path path;
+  Format format = Format::kAuto;
+};
+
+bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+std::vector<std::string> Files(const fs::path& folder, const char* extension) {
+  std::vector<std::string> names;
+  std::string ignored;
+  ListFiles(folder, extension, &names, &ignored);
+  return names;
+}
+
+bool IsBag(const fs::path& path) {
+  const fs::path extension = path.extension();
+  return extension == ".bag" || extension == ".db3" || extension == ".mcap" ||
+         path.filename() == "metadata.yaml";
+}
+
+// By the number of columns in the first line with numbers.
+std::optional<Format> FormatOfColumns(const fs::path& file, std::string* error) {
+  std::string text;
+  if (!ReadWholeFile(file, &text, error)) return std::nullopt;
+  TextLines lines(text);
+  for (std::string_view line; lines.Next(&line);) {
+    const std::vector<std::string_view> words = SplitColumns(line);
+    if (words.empty() || words[0].front() == '#' || HoldsNamesOnly(line)) continue;
+    const bool is_euroc = words.size() >= 8 && line.find(',') != line.npos &&
+                          LooksLikeNanoseconds(words[0]) && words.size() != 12;
+    if (is_euroc) return Format::kEuroc;
+    if (words.size() == 8) return Format::kTum;
+    if (words.size() == 12) return Format::kKitti;
+    if (words.size() > 8) return Format::kTable;
+    *error = file.string() + ":" + std::to_string(lines.number()) + ": " +
+             std::to_string(words.size()) +
+             " columns, expected 8 (t x y z qx qy qz qw), 12 (rows of [R | t]) or more of a pose; "
+             "reference.format can say what they are";
+    return std::nullopt;
+  }
+  *error = file.string() + ": holds no poses";
+  return std::nullopt;
+}
+
+std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
+  const std::string name = file.filename().string();
+  std::int64_t sequence, sample;
+  if (IsBag(file)) return Found{file, Format::kBag};
+  if (EndsWith(name, "_scans.csv") || file.extension() == ".h5")
+    return Found{file, Format::kRadarScenes};
+  if (EndsWith(name, "_poses.csv")) return Found{file, Format::kBoreas};
+  if (name == "ref_poses.txt") return Found{file, Format::kDicp};
+  if (name == "groundtruth_poses.txt") return Found{file, Format::kColoRadar};
+  if (ParseRaFlowName(name, &sequence, &sample)) return Found{file, Format::kRaFlow};
+  const std::optional<Format> format = FormatOfColumns(file, error);
+  if (!format) return std::nullopt;
+  return Found{file, *format};
+}
+
+bool HoldsRaFlow(const fs::path& folder) {
+  for (const std::string& name : Files(folder, ".json")) {
+    std::int64_t sequence, sample;
+    if (ParseRaFlowName(name, &sequence, &sample)) return true;
+  }
+  return false;
+}
+
+std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
+  std::vector<Found> found;
+  std::error_code ignored;
+  for (const auto& known : kKnownFiles) {
+    if (fs::exists(folder / known.file, ignored))
+      found.push_back({folder / known.file, known.format});
+  }
+  if (!Files(folder, "_scans.csv").empty() || FindRadarScenesHdf5(folder))
+    found.push_back({folder, Format::kRadarScenes});
+  if (HoldsRaFlow(folder)) found.push_back({folder, Format::kRaFlow});
+  if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, Format::kVod});
+  // A bag is the ground truth only where there is nothing better.
+  for (const char* extension : {".bag", ".db3", ".mcap"}) {
+    if (found.empty() && !Files(folder, extension).empty()) found.push_back({folder, Format::kBag});
+  }
+  if (found.size() == 1) return found.front();
+  if (found.empty()) {
+    *error = folder.string() +
+             ": no ground truth found; looked for pose/*.json (View-of-Delft), radarK_scans.csv, "
+             "radar_seqs-*.json, bags";
+    for (const auto& known : kKnownFiles) *error += std::string(", ") + known.file;
+  } else {
+    *error = folder.string() + ": several files hold ground truth, name one of them:";
+    for (const Found& one : found) *error += " " + one.path.string();
+  }
+  return std::nullopt;
+}
+
+std::optional<Found> Detect(const fs::path& path, Format format, std::string* error) {
+  std::error_code failure;
+  if (!fs::exists(path, failure)) {
+    *error = path.string() + ": cannot be opened; expected ground truth, a file or a folder";
+    return std::nullopt;
+  }
+  if (format == Format::kVod) {
+    if (const auto poses = FindVodPoses(path)) return Found{*poses, format};
+    return Found{path, format};
+  }
+  if (format != Format::kAuto) return Found{path, format};
+  return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
+}
+
+bool ReadPoses(std::optional<RecordedTrajectory> poses, bool has_stamps, Reference* reference) {
+  if (!poses) return false;
+  reference->poses = *std::move(poses);
+  reference->has_stamps = has_stamps;
+  return true;
+}
+
+bool ReadText(const fs::path& file,
+              TrajectoryFormat format,
+              Reference* reference,
+              std::string* error) {
+  auto poses = ReadTrajectory(file, format, error);
+  if (!poses) return false;
+  reference->poses = *std::move(poses);
+  reference->has_stamps = format != TrajectoryFormat::kKitti;
+  return true;
+}
+
+bool ReadTable(const fs::path& file,
+               const std::optional<PoseColumns>& known,
+               Reference* reference,
+               std::string* error) {
+  std::string text;
+  if (!ReadWholeFile(file, &text, error)) return false;
+  const std::optional<PoseColumns> columns =
+      known ? known : FindPoseColumns(text, file.string(), error);
+  return columns && ParsePoseTable(text, *columns, file.string(), &reference->poses, error);
+}
+
+bool ReadColoRadar(const fs::path& path, Reference* reference, std::string* error) {
+  std::error_code ignored;
+  const fs::path file = fs::is_directory(path, ignored) ? path / "groundtruth_poses.txt" : path;
+  const fs::path stamp_file = file.parent_path() / "timestamps.txt";
+  std::vector<std::int64_t> stamps_ns;
+  if (!ReadTable(file, ColoRadarColumns(), reference, error) ||
+      !ReadStampFile(stamp_file, &stamps_ns, error)) {
+    return false;
+  }
+  if (stamps_ns.size() != reference->poses.size()) {
+    *error = stamp_file.string() + ": has " + std::to_string(stamps_ns.size()) +
+             " stamps, expected one for each of the " + std::to_string(reference->poses.size()) +
+             " poses of " + file.string();
+    return false;
+  }
+  for (std::size_t i = 0; i < stamps_ns.size(); ++i) {
+    reference->poses[i].stamp_ns = stamps_ns[i];
+    reference->poses[i].stamp_s = StampSeconds(stamps_ns[i]);
+  }
+  return true;
+}
+
+// Poses of the vehicle, turned into those of its sensor where calibration.json lies beside them.
+bool ReadDicp(const fs::path& path, Reference* reference, std::string* error) {
+  std::error_code ignored;
+  const fs::path file = fs::is_directory(path, ignored) ? path / "ref_poses.txt" : path;
+  if (!ReadText(file, TrajectoryFormat::kTum, reference, error)) return false;
+  const fs::path calibration = file.parent_path() / "calibration.json";
+  if (!fs::exists(calibration, ignored)) return true;
+  std::string text;
+  MatrixPose T_vehicle_sensor;
+  if (!ReadWholeFile(calibration, &text, error)) return false;
+  if (!ParseDicpCalibration(text, &T_vehicle_sensor)) {
+    *error =
+        calibration.string() + ": expected T_V_to_S with translation x y z and quaternion w x y z";
+    return false;
+  }
+  for (RecordedPose& pose : reference->poses)
+    pose.T_world_body = pose.T_world_body * T_vehicle_sensor;
+  return true;
+}
+
+// The tables of all radars: each has the pose of the car at the odometry's stamp next to each scan.
+bool ReadRadarScenes(const fs::path& path, Reference* reference, std::string* error) {
+  std::error_code ignored;
+  const std::optional<fs::path> hdf5 = FindRadarScenesHdf5(path);
+  if (hdf5) {
+    return ReadPoses(ReadRadarScenesOdometry(*hdf5, error), /*has_stamps=*/true, reference);
+  }
+  std::vector<fs::path> files = {path};
+  if (fs::is_directory(path, ignored)) {
+    files.clear();
+    for (const std::string& name : Files(path, "_scans.csv")) files.push_back(path / name);
+  }
+  RecordedTrajectory& all = reference->poses;
+  for (const fs::path& file : files) {
+    std::string text;
+    if (!ReadWholeFile(file, &text, error)) return false;
+    TextLines lines(text);
+    std::string_view names;
+    lines.Next(&names);
+    const std::optional<PoseColumns> columns = RadarScenesColumns(names);
+    if (!columns) {
+      *error = file.string() +
+               ":1: expected the names of the columns, among them timestamp_odom, x, y and yaw, "
+               "found " +
+               Quoted(names);
+      return false;
+    }
+    RecordedTrajectory poses;
+    if (!ParsePoseTable(text, *columns, file.string(), &poses, error)) return false;
+    all.insert(all.end(), poses.begin(), poses.end());
+  }
+  std::stable_sort(all.begin(), all.end(), [](const RecordedPose& a, const RecordedPose& b) {
+    return a.stamp_ns < b.stamp_ns;
+  });
+  all.erase(std::unique(all.begin(),
+                        all.end(),
+                        [](const RecordedPose& a, const RecordedPose& b) {
+                          return a.stamp_ns == b.stamp_ns;
+                        }),
+            all.end());
+  if (all.empty()) *error = path.string() + ": expected radarK_scans.csv, found none";
+  return !all.empty();
+}
+
+bool ReadBag(const fs::path& path,
+             const std::string& topic,
+             Reference* reference,
+             std::string* error) {
+  std::error_code ignored;
+  const bool is_bag1 = path.extension() == ".bag" || !Files(path, ".bag").empty();
+  std::unique_ptr<MessageSource> bag = OpenMessageSource(
+      path, is_bag1 ? BagFormat::kRosbag1 : BagFormat::kRosbag2, MessageLimits(), error);
+  if (bag == nullptr) return false;
+  auto trajectory = ReadBagTrajectory(std::move(bag), path.string(), topic, error);
+  if (!trajectory) return false;
+  reference->poses = std::move(trajectory->poses);
+  reference->has_rotations = trajectory->has_rotations;
+  reference->description = trajectory->description;
+  return true;
+}
+
+bool Read(const Found& found,
+          const ReferenceOptions& options,
+          int clip,
+          Reference* reference,
+          std::string* error) {
+  switch (found.format) {
+    case Format::kTum:
+      return ReadText(found.path, TrajectoryFormat::kTum, reference, error);
+    case Format::kKitti:
+      return ReadText(found.path, TrajectoryFormat::kKitti, reference, error);
+    case Format::kEuroc:
+      return ReadText(found.path, TrajectoryFormat::kEuroc, reference, error);
+    case Format::kTable:
+      return ReadTable(found.path, std::nullopt, reference, error);
+    case Format::kBoreas:
+      return ReadTable(found.path, BoreasColumns(), reference, error);
+    case Format::kDicp:
+      return ReadDicp(found.path, reference, error);
+    case Format::kColoRadar:
+      return ReadColoRadar(found.path, reference, error);
+    case Format::kRadarScenes:
+      return ReadRadarScenes(found.path, reference, error);
+    case Format::kVod:
+      return ReadPoses(ReadVodPoses(found.path, error), /*has_stamps=*/false, reference);
+    case Format::kRaFlow:
+      return ReadPoses(ReadRaFlowPoses(found.path, clip, error), /*has_stamps=*/true, reference);
+    case Format::kBag:
+      return ReadBag(found.path, options.topic, reference, error);
+    case Format::kAuto:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Reference> ReadReference(const fs::path& path,
+                                       const ReferenceOptions& options,
+                                       int clip,
+                                       std::string* error) {
+  const std::optional<Found> found = Detect(path, options.format, error);
+  if (!found) return std::nullopt;
+  Reference reference;
+  if (!Read(*found, options, clip, &reference, error)) return std::nullopt;
+  if (reference.description.empty()) {
+    reference.description = NameOf(found->format) + ", " + found->path.string();
+  }
+  reference.description = std::to_string(reference.poses.size()) +
+                          (reference.has_rotations ? " poses (" : " places (") +
+                          reference.description + ")";
+  return reference;
+}
+
+}  // namespace radive
