@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "radive/ndt/choose_representation.h"
@@ -17,6 +18,13 @@
 
 namespace radive {
 namespace {
+
+// A gap that is worth a warning: so many usual intervals, and so long [s].
+constexpr double kGapIntervals = 5.0;
+constexpr double kGapTime = 1.0;
+// How much worse than scans before one behind a gap may fit the submap.
+constexpr double kFewerPairs = 0.8;
+constexpr double kHigherCost = 1.5;
 
 double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
@@ -98,6 +106,49 @@ void RadarOdometry::Register(const FilteredScan& filtered,
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
 }
 
+void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
+                                    double dt,
+                                    OdometryResult* result) {
+  const double interval = motion_.usual_interval();
+  Register(filtered, motion_.Predict(result->ego_velocity, interval), interval, result);
+  const double pairs = result->num_pairs;
+  const bool fits = result->status == OdometryResult::Status::kRegistered &&
+                    pairs >= kFewerPairs * pairs_per_gaussian_ * result->num_gaussians &&
+                    result->cost <= kHigherCost * cost_per_pair_ * pairs;
+  if (fits) return;
+  result->status = OdometryResult::Status::kPredicted;
+  result->reason = "the motion during a gap without scans is unknown";
+  result->T_world_radar = motion_.Predict(result->ego_velocity, dt).T_world_radar;
+  result->num_pairs = 0;
+  result->cost = 0.0;
+  submap_->Clear();
+  T_world_keyframe_.reset();
+}
+
+void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
+  const double usual_interval = motion_.usual_interval();
+  if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
+  char text[96];
+  std::snprintf(text,
+                sizeof(text),
+                "gap of %.4g s without scans before the stamp %.3f: ",
+                dt,
+                Seconds(result.stamp_ns));
+  std::string what = "the scan behind it is registered with the submap before";
+  if (result.status == OdometryResult::Status::kStanding) what = "the radar stands at both ends";
+  if (result.status == OdometryResult::Status::kPredicted) {
+    what = "the scan behind it does not fit the submap before; the pose rests on the velocities";
+  }
+  if (motion_.UnknownTime(dt) > 0.0) {
+    what = result.status == OdometryResult::Status::kRegistered
+               ? "the scan behind it fits as if no time had passed, and is taken so"
+               : "the motion within is unknown beyond " +
+                     std::to_string(static_cast<int>(kCarriedTime)) +
+                     " s of the velocities at its ends; the map starts anew";
+  }
+  warnings_.push_back(text + what);
+}
+
 // The pose of the scan: status, reason, T_world_radar and covariance of `result`.
 void RadarOdometry::Locate(const RadarScan& scan,
                            const FilteredScan& filtered,
@@ -121,6 +172,8 @@ void RadarOdometry::Locate(const RadarScan& scan,
       result->reason = std::to_string(filtered.returns.size()) + " returns left, " +
                        std::to_string(options_.registration.min_gaussians) + " needed";
     }
+  } else if (motion_.UnknownTime(dt) > 0.0) {
+    LocateBehindGap(filtered, dt, result);
   } else if (velocity.is_standing && !may_have_moved) {
     result->status = OdometryResult::Status::kStanding;
     result->reason = "standing";
@@ -132,9 +185,17 @@ void RadarOdometry::Locate(const RadarScan& scan,
   if (result->status != OdometryResult::Status::kPredicted) return;
   result->covariance = motion_.PredictedCovariance(velocity, dt);
   if (!velocity.valid && scan.has_doppler && options_.ego_velocity.enabled &&
-      !velocity.reason.empty()) {
+      !velocity.reason.empty() && motion_.UnknownTime(dt) == 0.0) {
     result->reason = "ego velocity: " + velocity.reason;
   }
+}
+
+void RadarOdometry::LearnFit(const OdometryResult& result) {
+  const double pairs = static_cast<double>(result.num_pairs) / std::max(1, result.num_gaussians);
+  const double cost = result.cost / result.num_pairs;
+  const double gain = pairs_per_gaussian_ == 0.0 ? 1.0 : 0.1;
+  pairs_per_gaussian_ += gain * (pairs - pairs_per_gaussian_);
+  cost_per_pair_ += gain * (cost - cost_per_pair_);
 }
 
 bool RadarOdometry::IsKeyframe(const OdometryResult& result) const {
@@ -189,6 +250,10 @@ OdometryResult RadarOdometry::AddScan(const RadarScan& scan) {
   FilteredScan filtered = filter_.Filter(scan, &result);
   PrepareSubmap(filtered);
   Locate(scan, filtered, dt, &result);
+  WarnOfGap(dt, result);
+  if (result.status == OdometryResult::Status::kRegistered && result.num_pairs > 0) {
+    LearnFit(result);
+  }
   motion_.Follow(result, dt);
   last_stamp_ns_ = scan.stamp_ns;
 

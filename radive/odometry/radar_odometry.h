@@ -37,6 +37,9 @@ class RadarOdometry {
 
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
 
+  // What makes the poses doubtful, such as a gap between scans.
+  std::vector<std::string> TakeWarnings() { return std::exchange(warnings_, {}); }
+
  private:
   // "stamp repeats" or "stamp goes back" when the scan cannot follow the last one.
   std::string WhyOutOfOrder(const RadarScan& scan) const;
@@ -51,6 +54,12 @@ class RadarOdometry {
                 const MotionPrediction& prediction,
                 double dt,
                 OdometryResult* result);
+  // Behind a gap in which the motion is unknown: registers the scan as if no time had passed, and
+  // where it does not fit the submap as well as scans before did, starts the submap anew.
+  void LocateBehindGap(const FilteredScan& filtered, double dt, OdometryResult* result);
+  void WarnOfGap(double dt, const OdometryResult& result);
+  // Takes in how well a registered scan fits.
+  void LearnFit(const OdometryResult& result);
   bool IsKeyframe(const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);
 
@@ -63,8 +72,12 @@ class RadarOdometry {
   std::optional<Rigid3> T_world_keyframe_;  // T_world_radar of the last keyframe
   std::optional<std::int64_t> last_stamp_ns_;
   int num_scans_ = 0;
+  // Of registered scans, exponentially weighted; 0: none yet.
+  double pairs_per_gaussian_ = 0.0;
+  double cost_per_pair_ = 0.0;
   bool has_noted_doppler_ = false;
   std::vector<std::string> notes_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace radive

@@ -16,6 +16,7 @@
 #include "radive/pipeline/doppler_sign.h"
 #include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
+#include "radive/pipeline/plausibility.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
 #include "radive/pipeline/run_scores.h"
@@ -48,11 +49,14 @@ class SequenceRun {
     }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
+    const std::vector<std::string> implausible = plausibility_.Warnings();
+    for (const std::string& warning : implausible) Warn(warning);
     // Of zero scans that were asked for, zero poses are the result.
     if (status == RunStatus::kDone && request_.num_frames.value_or(1) > 0) {
       const std::string reason = report_.WhyNoResult();
       if (!reason.empty()) {
         *error = request_.input + ": " + reason;
+        for (const std::string& warning : implausible) *error += "; " + warning;
         status = RunStatus::kNoResult;
       }
     }
@@ -122,10 +126,13 @@ class SequenceRun {
         *error = source_->error();
         return RunStatus::kFailed;
       }
+      plausibility_.AddScan(scan);
       OdometryResult result = odometry_.AddScan(scan);
+      plausibility_.AddPose(result);
       if (!frame_) frame_.emplace(config_, scan.radar);
       frame_->Apply(&result);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
+      for (const std::string& warning : odometry_.TakeWarnings()) Warn(warning);
       if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
       report_.AddScan(result, info.read_ms, scan.place);
       if (!writer_.AddScan(info, result, error)) return RunStatus::kFailed;
@@ -233,6 +240,7 @@ class SequenceRun {
   MapThinner map_;
   ResultWriter writer_;
   RunReport report_;
+  Plausibility plausibility_;
   Progress progress_;
   bool has_told_sign_ = false;
 };

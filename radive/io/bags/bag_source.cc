@@ -55,13 +55,24 @@ std::optional<int> ChooseTopic(const std::vector<MessageTopic>& topics,
     found.push_back(static_cast<int>(i));
     candidates.push_back(topics[i]);
   }
+  // One name may stand for several types.
+  for (std::size_t k = 0; found.size() > 1 && !wanted.empty() && k < found.size();) {
+    if (IsPointCloud(candidates[k])) {
+      ++k;
+      continue;
+    }
+    found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(k));
+  }
   if (found.empty() && wanted.empty()) {
     *error = "has no point clouds, " + expected + "; it has: " + NamesOf(topics);
   } else if (found.empty()) {
     *error = "has no topic " + Quoted(wanted) + "; it has: " + NamesOf(topics);
   } else if (found.size() > 1) {
-    *error = "has several topics with point clouds, say with input.topic which one: " +
-             NamesOf(candidates);
+    *error =
+        (wanted.empty() ? "has several topics with point clouds, say with input.topic which one: "
+                        : "has several topics " + Quoted(wanted) + " with point clouds: ") +
+        NamesOf(candidates);
   } else if (!IsPointCloud(candidates.front())) {
     *error = "cannot read messages of " + NameOf(candidates.front()) + ", " + expected;
   } else if (!IsRosEncoding(candidates.front())) {
@@ -172,6 +183,16 @@ SourceFacts BagSource::Facts() const {
   return facts;
 }
 
+// When none of the first messages can be read.
+ScanSource::Status BagSource::FailUnreadable() {
+  error_ = first_reason_;
+  if (num_unreadable_ > 1) {
+    error_ +=
+        "; nor can the " + std::to_string(num_unreadable_ - 1) + " messages behind it be read";
+  }
+  return Status::kError;
+}
+
 // Sets the returns of a scan. A message that cannot be read is an empty scan, because every scan
 // of the drive gets its line in the trajectory; but when the very first one has no positions, none
 // will.
@@ -179,10 +200,13 @@ ScanSource::Status BagSource::ReadReturns(const Message& message, RadarScan* sca
   PointTable table;
   std::string reason;
   if (!ReadPointCloud(message.payload, topic(), &table, &reason)) {
+    if (num_unreadable_++ == 0) first_reason_ = scan->place + ": " + reason;
+    if (!has_read_ && num_unreadable_ == kMessagesLookedAt) return FailUnreadable();
     counted_.Add("damaged point clouds in " + place_,
                  scan->place + ": " + reason + "; taken as an empty scan");
     return Status::kScan;
   }
+  has_read_ = true;
   if (table.num_points == 0 && table.fields.empty()) return Status::kScan;
   if (converter_.Convert(table, scan, &reason)) {
     has_returns_ = true;
@@ -206,7 +230,9 @@ ScanSource::Status BagSource::ReadMessage(bool needs_returns, Stamped* stamped) 
       error_ = bag_->error();
       return Status::kError;
     }
-    if (status == MessageSource::Status::kEnd) return Status::kEnd;
+    if (status == MessageSource::Status::kEnd) {
+      return has_read_ || num_unreadable_ == 0 ? Status::kEnd : FailUnreadable();
+    }
     if (message.topic == trigger_topic_) {
       std::int64_t stamp_ns = 0;
       const MessageTopic& trigger = bag_->topics()[static_cast<std::size_t>(trigger_topic_)];
@@ -231,14 +257,15 @@ const std::string& BagSource::TriggerName() const {
   return bag_->topics()[static_cast<std::size_t>(trigger_topic_)].name;
 }
 
-// Looks at the first messages: reads until two header stamps differ.
+// Looks at the first messages: reads until two header stamps differ and a message can be read.
 void BagSource::ChooseStamps() {
   if (is_trigger_set_) {
     stamp_origin_ = StampOrigin::kTrigger;
     return;
   }
   stamp_origin_ = StampOrigin::kRecord;
-  while (held_back_.size() < kMessagesLookedAt && stamp_origin_ == StampOrigin::kRecord) {
+  while (held_back_.size() < kMessagesLookedAt &&
+         (stamp_origin_ == StampOrigin::kRecord || num_unreadable_ == held_back_.size())) {
     Stamped stamped;
     status_after_held_back_ = ReadMessage(/*needs_returns=*/true, &stamped);
     if (status_after_held_back_ != Status::kScan) break;
@@ -312,18 +339,8 @@ ScanSource::Status BagSource::Advance(bool needs_returns, RadarScan* scan) {
                        "; it is passed over");
       continue;
     }
-    if (!last_ns_ || scan->stamp_ns > *last_ns_) {
-      last_ns_ = scan->stamp_ns;
-      return Status::kScan;
-    }
-    const bool is_same = scan->stamp_ns == *last_ns_;
-    counted_.Add(
-        "scans with a stamp " +
-            std::string(is_same ? "that was there before" : "before the last one's") + " in " +
-            place_,
-        scan->place + ": the stamp " + FormatStamp(scan->stamp_ns) +
-            (is_same ? " is that of the scan before" : " is earlier than that of the scan before") +
-            "; it is passed over");
+    record_ns_ = stamped.record_ns;
+    return Status::kScan;
   }
 }
 
@@ -331,13 +348,8 @@ ScanSource::Status BagSource::Next(RadarScan* scan) {
   return Advance(/*needs_returns=*/true, scan);
 }
 
-ScanSource::Status BagSource::Skip(int count) {
-  RadarScan dropped;
-  for (int i = 0; i < count; ++i) {
-    const Status status = Advance(/*needs_returns=*/false, &dropped);
-    if (status != Status::kScan) return status;
-  }
-  return Status::kScan;
+ScanSource::Status BagSource::PassOver(RadarScan* scan) {
+  return Advance(/*needs_returns=*/false, scan);
 }
 
 }  // namespace radive

@@ -196,11 +196,10 @@ bool ReadColoRadar(const fs::path& path, Reference* reference, std::string* erro
   std::error_code ignored;
   const fs::path file = fs::is_directory(path, ignored) ? path / "groundtruth_poses.txt" : path;
   const fs::path stamp_file = file.parent_path() / "timestamps.txt";
-  std::vector<std::int64_t> stamps_ns;
-  if (!ReadTable(file, ColoRadarColumns(), reference, error) ||
-      !ReadStampFile(stamp_file, &stamps_ns, error)) {
-    return false;
-  }
+  if (!ReadTable(file, ColoRadarColumns(), reference, error)) return false;
+  const std::optional<StampSequence> sequence = ReadStampFile(stamp_file, kAssumedRate, error);
+  if (!sequence) return false;
+  const std::vector<std::int64_t>& stamps_ns = sequence->stamps_ns;
   if (stamps_ns.size() != reference->poses.size()) {
     *error = stamp_file.string() + ": has " + std::to_string(stamps_ns.size()) +
              " stamps, expected one for each of the " + std::to_string(reference->poses.size()) +

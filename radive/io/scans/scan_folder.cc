@@ -12,6 +12,7 @@
 
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/io/scans/stamp_names.h"
 #include "radive/util/natural_order.h"
 
 namespace radive {
@@ -123,42 +124,72 @@ fs::path FindStampFile(const fs::path& root, const fs::path& folder) {
   return {};
 }
 
+std::string RateText(double rate) {
+  char text[80];
+  std::snprintf(text,
+                sizeof(text),
+                "%g scans per second are %s",
+                rate > 0.0 ? rate : kAssumedRate,
+                rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
+  return text;
+}
+
+// "times.txt", with the unit where it is not the usual one.
+std::string OriginText(const std::string& place, const StampSequence& sequence) {
+  const bool is_usual = sequence.unit == "s" || sequence.unit == "ns" || sequence.unit == "digits";
+  return is_usual ? place : place + " (" + sequence.unit + ")";
+}
+
 // Sets the stamps from a file with one for each scan. `found` says whether there is one.
-bool StampsFromFile(const fs::path& root, ScanFolder* folder, bool* found, std::string* error) {
+bool StampsFromFile(
+    const fs::path& root, double rate, ScanFolder* folder, bool* found, std::string* error) {
   const fs::path file = FindStampFile(root, folder->path);
   *found = !file.empty();
   if (!*found) return true;
-  if (!ReadStampFile(file, &folder->stamps_ns, error)) return false;
+  std::optional<StampSequence> sequence = ReadStampFile(file, rate, error);
+  if (!sequence) return false;
+  folder->stamps_ns = std::move(sequence->stamps_ns);
   if (folder->stamps_ns.size() != folder->names.size()) {
     *error = file.string() + ": has " + std::to_string(folder->stamps_ns.size()) +
              " stamps, expected one for each of the " + std::to_string(folder->names.size()) +
              " scans in " + folder->path.string();
     return false;
   }
-  folder->stamp_origin = file.filename().string();
+  folder->stamp_origin = OriginText(file.filename().string(), *sequence);
+  if (!sequence->doubt.empty()) {
+    folder->stamp_doubt = file.string() + ": " + sequence->doubt;
+    if (sequence->rate_is_used) folder->stamp_doubt += "; " + RateText(rate);
+  }
   return true;
 }
 
-// Sets the stamps from the names when all of them are stamps.
+// Sets the stamps from the names when all of them hold one, and puts the scans in their order.
 bool StampsFromNames(bool names_are_stamps, ScanFolder* folder, std::string* error) {
-  const std::string* other = nullptr;
-  for (const std::string& name : folder->names) {
-    if (const std::optional<std::int64_t> stamp = StampOfStem(Stem(name))) {
-      folder->stamps_ns.push_back(*stamp);
-    } else if (other == nullptr) {
-      other = &name;
-    }
-  }
-  if (other == nullptr) {
-    folder->stamp_origin = "file names";
-    return true;
-  }
+  std::vector<std::string> stems;
+  for (const std::string& name : folder->names) stems.emplace_back(Stem(name));
+  std::optional<std::size_t> odd;
+  std::optional<StampSequence> sequence = StampsOfNames(stems, &odd);
   // Some stamps and some positions would give a time axis that nobody meant.
-  if (names_are_stamps || !folder->stamps_ns.empty()) {
-    *error = (folder->path / *other).string() +
+  if (odd || (names_are_stamps && !sequence)) {
+    *error = folder->File(odd.value_or(0)).string() +
              ": the name is no stamp, expected one like that of the other files (nanoseconds, 19 "
              "digits), or a times.txt with one stamp a scan";
     return false;
+  }
+  if (!sequence) return true;
+  folder->stamp_origin = OriginText("file names", *sequence);
+  folder->stamps_ns = std::move(sequence->stamps_ns);
+  if (std::is_sorted(folder->stamps_ns.begin(), folder->stamps_ns.end())) return true;
+  std::vector<std::pair<std::int64_t, std::string>> scans;
+  for (std::size_t i = 0; i < folder->names.size(); ++i) {
+    scans.emplace_back(folder->stamps_ns[i], std::move(folder->names[i]));
+  }
+  std::stable_sort(scans.begin(), scans.end(), [](const auto& one, const auto& other) {
+    return one.first < other.first;
+  });
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    folder->stamps_ns[i] = scans[i].first;
+    folder->names[i] = std::move(scans[i].second);
   }
   return true;
 }
@@ -168,17 +199,20 @@ bool FindStamps(const fs::path& root,
                 ScanFolder* folder,
                 std::string* error) {
   bool found = false;
-  if (!StampsFromFile(root, folder, &found, error)) return false;
+  if (!StampsFromFile(root, query.rate, folder, &found, error)) return false;
   if (found) return true;
   if (!StampsFromNames(query.names_are_stamps, folder, error)) return false;
   if (!folder->stamps_ns.empty()) return true;
   for (std::size_t i = 0; i < folder->names.size(); ++i) {
-    folder->stamps_ns.push_back(std::llround(static_cast<double>(i) * 1e9 / query.rate));
+    folder->stamps_ns.push_back(StampAt(static_cast<double>(i), query.rate));
   }
   char rate[40];
-  std::snprintf(rate, sizeof(rate), "%g Hz", query.rate);
+  std::snprintf(rate, sizeof(rate), "%g Hz", query.rate > 0.0 ? query.rate : kAssumedRate);
   folder->stamp_origin = rate;
   folder->stamps_are_positions = true;
+  if (!(query.rate > 0.0)) {
+    folder->stamp_doubt = folder->path.string() + ": the scans have no stamps; " + RateText(0.0);
+  }
   return true;
 }
 
@@ -195,9 +229,10 @@ ScanFolder OneScan(const fs::path& root) {
   ScanFolder folder;
   folder.path = root.parent_path();
   folder.names = {root.filename().string()};
-  const std::optional<std::int64_t> stamp = StampOfStem(Stem(folder.names.front()));
-  folder.stamps_ns = {stamp.value_or(0)};
-  folder.stamp_origin = stamp ? "file names" : "nowhere (one scan)";
+  std::optional<std::size_t> odd;
+  const auto sequence = StampsOfNames({std::string(Stem(folder.names.front()))}, &odd);
+  folder.stamps_ns = {sequence ? sequence->stamps_ns.front() : 0};
+  folder.stamp_origin = sequence ? "file names" : "nowhere (one scan)";
   return folder;
 }
 

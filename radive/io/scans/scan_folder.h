@@ -28,8 +28,8 @@ struct ScanFolderQuery {
   // False: any name will do.
   bool names_are_stamps = false;
 
-  // Scans a second [Hz], where neither times.txt nor the names give stamps.
-  double rate = 10.0;
+  // Scans per second [Hz], where neither times.txt nor the names give stamps; 0: not known.
+  double rate = 0.0;
 
   // Looks in this folder alone, as the user names it: of the input, or anywhere below.
   void LookOnlyIn(const std::string& folder) {
@@ -44,6 +44,7 @@ struct ScanFolder {
   std::vector<std::string> names;       // of the files, numbers in them in the order of their value
   std::vector<std::int64_t> stamps_ns;  // one a file [ns]
   std::string stamp_origin;             // for the log: "times.txt", "file names", "10 Hz"
+  std::string stamp_doubt;              // a warning on the stamps; empty: none
   bool stamps_are_positions = false;    // position / rate, for want of anything better
 
   std::filesystem::path File(std::size_t index) const { return path / names[index]; }
@@ -52,8 +53,8 @@ struct ScanFolder {
 // Finds the folder with the scans of the drive `root`, lists them and finds their stamps:
 // 1. times.txt or timestamps.txt beside the scans, in the folder above them or in `root`: one stamp
 //    a scan, see ReadStampFile(); or the first column of ref_poses.txt there (Doppler-ICP);
-// 2. the names, if all are stamps, see StampOfStem();
-// 3. position / rate.
+// 2. the names, if all hold stamps, see StampsOfNames(); the scans are then in their order;
+// 3. position / rate; a rate that is not known is kAssumedRate, with a warning.
 // Hidden files are left out. `root` may be one scan file as well. Nothing, with the place and what
 // was expected there in `error`, when `root` is no folder, there are no scans or several folders
 // with scans, when the number of lines of the file of stamps is not that of the scans, or when
