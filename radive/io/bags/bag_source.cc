@@ -198,8 +198,14 @@ ScanSource::Status BagSource::FailUnreadable() {
 // will.
 ScanSource::Status BagSource::ReadReturns(const Message& message, RadarScan* scan) {
   PointTable table;
+  std::vector<std::string> remarks;
   std::string reason;
-  if (!ReadPointCloud(message.payload, topic(), &table, &reason)) {
+  const bool is_read = ReadPointCloud(message.payload, topic(), &table, &remarks, &reason);
+  for (const std::string& remark : remarks) {
+    counted_.Add("point clouds that contradict themselves in " + place_,
+                 scan->place + ": " + remark);
+  }
+  if (!is_read) {
     if (num_unreadable_++ == 0) first_reason_ = scan->place + ": " + reason;
     if (!has_read_ && num_unreadable_ == kMessagesLookedAt) return FailUnreadable();
     counted_.Add("damaged point clouds in " + place_,

@@ -222,10 +222,10 @@ ScanSource::Status RaFlowSource::PassOver(RadarScan* scan) {
 
 ScanSource::Status RaFlowSource::Next(RadarScan* scan) {
   if (PassOver(scan) == Status::kEnd) return Status::kEnd;
-  const bool is_second = next_ - 1 == files_.size();
+  const bool is_second = next_ > files_.size();
   RaFlowPair pair;
   std::string reason;
-  if (!ReadPair(file, &pair, &reason) ||
+  if (!ReadPair(scan->place, &pair, &reason) ||
       !converter_.Convert(is_second ? pair.second : pair.first, scan, &reason)) {
     warnings_.push_back(reason + "; taken as an empty scan");
   }
