@@ -4,9 +4,9 @@
 #include "radive/ndt/choose_representation.h"
 
 #include <cstddef>
-#include <cstdio>
 
 #include "radive/ndt/gaussian_builder.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -31,14 +31,11 @@ NdtOptions::Representation ChooseRepresentation(const std::vector<RadarReturn>& 
       num_voxels == 0 ? 0.0 : static_cast<double>(points.size()) / static_cast<double>(num_voxels);
   const bool is_voxel = points.size() >= kVeryDense ||
                         (points.size() >= kDense && per_voxel >= kMinPerVoxel);
-  char seen[160];
-  std::snprintf(seen,
-                sizeof(seen),
-                "ndt.representation %s, for the first scan has %zu static returns, %.1f to a voxel",
-                is_voxel ? "voxel" : "point",
-                points.size(),
-                per_voxel);
-  *reason = seen;
+  *reason = FormatText(
+      "ndt.representation %s, for the first scan has %zu static returns, %.1f to a voxel",
+      is_voxel ? "voxel" : "point",
+      points.size(),
+      per_voxel);
   return is_voxel ? NdtOptions::Representation::kVoxel : NdtOptions::Representation::kPoint;
 }
 
