@@ -16,7 +16,7 @@
 namespace radive {
 
 std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryOptions& options) {
-  if (options.ndt.representation == NdtOptions::Representation::kPoint) {
+  if (!options.ndt.IsVoxel()) {
     return GaussiansOfReturns(
         scan.returns, scan.weights, options.sensor, options.ndt, scan.is_planar);
   }

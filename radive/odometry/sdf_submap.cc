@@ -87,7 +87,7 @@ class SurfaceWorker {
   }
 
  private:
-  bool IsVoxel() const { return options_.ndt.representation == NdtOptions::Representation::kVoxel; }
+  bool IsVoxel() const { return options_.ndt.IsVoxel(); }
 
   Gaussian3 PointGaussian(const Eigen::Vector3d& mean,
                           const Eigen::Matrix3d& covariance,

@@ -4,7 +4,6 @@
 #include "radive/io/bags/bag_source.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -199,8 +199,14 @@ ScanSource::Status BagSource::FailUnreadable() {
 // will.
 ScanSource::Status BagSource::ReadReturns(const Message& message, RadarScan* scan) {
   PointTable table;
+  std::vector<std::string> remarks;
   std::string reason;
-  if (!ReadPointCloud(message.payload, topic(), &table, &reason)) {
+  const bool is_read = ReadPointCloud(message.payload, topic(), &table, &remarks, &reason);
+  for (const std::string& remark : remarks) {
+    counted_.Add("point clouds that contradict themselves in " + place_,
+                 scan->place + ": " + remark);
+  }
+  if (!is_read) {
     if (num_unreadable_++ == 0) first_reason_ = scan->place + ": " + reason;
     if (!has_read_ && num_unreadable_ == kMessagesLookedAt) return FailUnreadable();
     counted_.Add("damaged point clouds in " + place_,
@@ -321,13 +327,11 @@ bool BagSource::HeadersRunAsRecorded() {
   const double by_record = interval(&Stamped::record_ns);
   const bool is_regular = held_back_.size() == kMessagesLookedAt && by_header > 0.0;
   if (!is_regular || is_plausible(by_header) || !is_plausible(by_record)) return true;
-  char text[160];
-  std::snprintf(text,
-                sizeof(text),
-                "the header stamps of %s are %.4g s apart, but were recorded %.4g s apart",
-                topic().name.substr(0, 60).c_str(),
-                by_header,
-                by_record);
+  const std::string text =
+      FormatText("the header stamps of %s are %.4g s apart, but were recorded %.4g s apart",
+                 topic().name.substr(0, 60).c_str(),
+                 by_header,
+                 by_record);
   warnings_.push_back(place_ + ": " + text + "; the times of recording are taken instead");
   return false;
 }

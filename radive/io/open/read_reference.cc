@@ -66,9 +66,18 @@ std::vector<std::string> Files(const fs::path& folder, const char* extension) {
 }
 
 bool IsBag(const fs::path& path) {
-  const fs::path extension = path.extension();
-  return extension == ".bag" || extension == ".db3" || extension == ".mcap" ||
+  return BagFormatOfName(path.filename().string()).has_value() ||
          path.filename() == "metadata.yaml";
+}
+
+// The form of the bags in `folder`, if there are any.
+std::optional<BagFormat> FormOfBags(const fs::path& folder) {
+  for (const BagFormat format : {BagFormat::kRosbag1, BagFormat::kRosbag2, BagFormat::kMcap}) {
+    std::vector<fs::path> files;
+    std::string ignored;
+    if (ListBagFiles(folder, format, &files, &ignored) && !files.empty()) return format;
+  }
+  return std::nullopt;
 }
 
 // By the number of columns in the first line with numbers.
@@ -130,10 +139,7 @@ std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
   if (HoldsRaFlow(folder)) found.push_back({folder, ReferenceFormat::kRaFlow});
   if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, ReferenceFormat::kVod});
   // A bag is the ground truth only where there is nothing better.
-  for (const char* extension : {".bag", ".db3", ".mcap"}) {
-    if (found.empty() && !Files(folder, extension).empty())
-      found.push_back({folder, ReferenceFormat::kBag});
-  }
+  if (found.empty() && FormOfBags(folder)) found.push_back({folder, ReferenceFormat::kBag});
   if (found.size() == 1) return found.front();
   if (found.empty()) {
     *error = folder.string() +
@@ -279,10 +285,8 @@ bool ReadBag(const fs::path& path,
              const std::string& topic,
              Reference* reference,
              std::string* error) {
-  std::error_code ignored;
-  const bool is_bag1 = path.extension() == ".bag" || !Files(path, ".bag").empty();
   std::unique_ptr<MessageSource> bag = OpenMessageSource(
-      path, is_bag1 ? BagFormat::kRosbag1 : BagFormat::kRosbag2, MessageLimits(), error);
+      path, FormOfBags(path).value_or(BagFormat::kRosbag2), MessageLimits(), error);
   if (bag == nullptr) return false;
   auto trajectory = ReadBagTrajectory(std::move(bag), path.string(), topic, error);
   if (!trajectory) return false;

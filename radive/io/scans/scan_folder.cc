@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "radive/io/bytes/record_file.h"
+#include "radive/io/bytes/text_lines.h"
 #include "radive/io/scans/scan_stamps.h"
 #include "radive/io/scans/stamp_names.h"
 #include "radive/util/natural_order.h"
@@ -114,21 +115,18 @@ fs::path FindStampFile(const fs::path& root, const fs::path& folder) {
   places.push_back(root);
   for (const char* name : {"times.txt", "timestamps.txt", "ref_poses.txt"}) {
     for (const fs::path& place : places) {
+      // A link to nowhere counts: it is an error that the stamps cannot be read.
       std::error_code ignored;
-      if (fs::exists(place / name, ignored)) return place / name;
+      if (fs::exists(fs::symlink_status(place / name, ignored))) return place / name;
     }
   }
   return {};
 }
 
 std::string RateText(double rate) {
-  char text[80];
-  std::snprintf(text,
-                sizeof(text),
-                "%g scans per second are %s",
-                rate > 0.0 ? rate : kAssumedRate,
-                rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
-  return text;
+  return FormatText("%g scans per second are %s",
+                    rate > 0.0 ? rate : kAssumedRate,
+                    rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
 }
 
 // "times.txt", with the unit where it is not the usual one.
@@ -243,7 +241,8 @@ bool ListFiles(const fs::path& folder,
   for (fs::directory_iterator it(folder, failure), end; !failure && it != end;
        it.increment(failure)) {
     std::string name = it->path().filename().string();
-    if (name.size() <= extension.size() || name.front() == '.' || !EndsWith(name, extension)) {
+    if (name.size() <= extension.size() || name.front() == '.' ||
+        !EndsWith(LowerCase(name), extension)) {
       continue;
     }
     std::error_code ignored;
@@ -297,7 +296,8 @@ std::optional<ScanFolder> OpenScanFolder(const fs::path& root,
                                          std::string* error) {
   ScanFolder folder;
   std::error_code ignored;
-  if (fs::is_regular_file(root, ignored) && EndsWith(root.filename().string(), query.extension)) {
+  if (fs::is_regular_file(root, ignored) &&
+      EndsWith(LowerCase(root.filename().string()), query.extension)) {
     folder = OneScan(root);
     if (!CheckIsFetched(folder, error)) return std::nullopt;
     return folder;

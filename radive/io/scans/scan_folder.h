@@ -67,7 +67,8 @@ std::optional<ScanFolder> OpenScanFolder(const std::filesystem::path& root,
 // another (in even steps); empty when they do.
 std::string WhyNotConsecutive(const std::vector<std::string>& names);
 
-// Names of the files in `folder` that end in `extension`, hidden ones left out, numbers in them in
+// Names of the files in `folder` that end in `extension` (lower case; that of the names does not
+// matter), hidden ones left out, numbers in them in
 // the order of their value; none if there is no such folder. False, with the reason in `error`,
 // when the folder cannot be listed.
 bool ListFiles(const std::filesystem::path& folder,
