@@ -12,12 +12,11 @@
 #include <tuple>
 
 #include "radive/geometry/spherical.h"
+#include "radive/util/angle_units.h"
 #include "radive/util/cell_key.h"
 
 namespace radive {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Elevations of one ray differ by the rounding of its coordinates, which scans store in single
 // precision: a few times 6e-8 rad.
