@@ -6,6 +6,7 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
@@ -77,6 +78,7 @@ inline void InitApp(int* argc,
                     const std::string& usage,
                     int max_arguments = 0,
                     const char* app_file = __builtin_FILE()) {
+  std::setlocale(LC_ALL, "C");  // a library that is loaded too may have set another
   FLAGS_logtostderr = true;
   google::InitGoogleLogging((*argv)[0]);
   const std::string path = (*argv)[0];

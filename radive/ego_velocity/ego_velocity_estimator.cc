@@ -9,13 +9,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "radive/ego_velocity/velocity_branches.h"
 #include "radive/factors/condensed_doppler_factor.h"
 #include "radive/factors/doppler_factor.h"
 #include "radive/preprocessing/occlusion_counts.h"
 #include "radive/solver/solve.h"
+#include "radive/util/number_text.h"
 #include "radive/util/random.h"
 
 namespace radive {
@@ -45,12 +45,6 @@ std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals,
 
 // Largest Doppler residual of a return that can hide others [m/s].
 constexpr double kHidingGate = 0.5;
-
-std::string Format(const char* format, double a, double b, double c) {
-  char text[160];
-  std::snprintf(text, sizeof(text), format, a, b, c);
-  return text;
-}
 
 }  // namespace
 
@@ -117,10 +111,8 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
                                       double vertical_ridge) {
   EgoVelocity fit;
   if (equations.size() < options_.min_inliers) {
-    fit.reason = Format("%.0f returns with Doppler, at least %.0f needed",
-                        equations.size(),
-                        options_.min_inliers,
-                        0.0);
+    fit.reason = FormatText(
+        "%d returns with Doppler, at least %d needed", equations.size(), options_.min_inliers);
     return fit;
   }
   // Mixed so that neighbouring seeds and scans share no draws.
@@ -327,26 +319,24 @@ std::string EgoVelocityEstimator::WhyUnusable(
   const double needed =
       std::max<double>(options_.min_inliers, options_.min_inlier_share * equations.size());
   if (fit.num_inliers < needed) {
-    return Format("only %.0f of %.0f returns agree on a velocity, %.0f needed",
-                  fit.num_inliers,
-                  equations.size(),
-                  std::ceil(needed));
+    return FormatText("only %d of %d returns agree on a velocity, %.0f needed",
+                      fit.num_inliers,
+                      equations.size(),
+                      std::ceil(needed));
   }
   const double sigma = HorizontalSigma(fit, equations);
   if (!(sigma <= options_.max_sigma)) {
-    return Format(
+    return FormatText(
         "the returns lie too close to one direction: standard deviation %.2f m/s across "
         "it, at most %.2f allowed",
         sigma,
-        options_.max_sigma,
-        0.0);
+        options_.max_sigma);
   }
   const Eigen::Vector2d velocity = equations.basis.transpose() * fit.v_radar;
   if (temporal_gate && !temporal_gate->Contains(velocity)) {
-    return Format("the velocity differs by %.2f m/s from the last one, at most %.2f allowed",
-                  (velocity - temporal_gate->center).norm(),
-                  temporal_gate->radius,
-                  0.0);
+    return FormatText("the velocity differs by %.2f m/s from the last one, at most %.2f allowed",
+                      (velocity - temporal_gate->center).norm(),
+                      temporal_gate->radius);
   }
   return "";
 }

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
 #include "radive/registration/registration.h"
+#include "radive/util/number_text.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -116,12 +116,8 @@ void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
 void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
   const double usual_interval = motion_.usual_interval();
   if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
-  char text[96];
-  std::snprintf(text,
-                sizeof(text),
-                "gap of %.4g s without scans before the stamp %.3f: ",
-                dt,
-                Seconds(result.stamp_ns));
+  const std::string text = FormatText(
+      "gap of %.4g s without scans before the stamp %.3f: ", dt, Seconds(result.stamp_ns));
   std::string what = "the scan behind it is registered with the submap before";
   if (result.status == OdometryResult::Status::kStanding) what = "the radar stands at both ends";
   if (result.status == OdometryResult::Status::kPredicted) {

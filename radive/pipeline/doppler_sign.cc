@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "radive/ego_velocity/ego_velocity_estimator.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -84,17 +84,14 @@ void DopplerSignSource::Decide() {
   is_decided_ = moving >= kMinMovingScans && std::abs(median) >= kMinForward &&
                 static_cast<double>(agreeing) >= kMinAgreement * moving;
   if (is_decided_ && median < 0.0) sign_ = -1.0;
-  char text[200];
-  std::snprintf(text,
-                sizeof(text),
-                "Doppler sign %s: as stored, the median forward speed is %.2f m/s over %d moving "
-                "of the first %d scans, %d of which agree",
-                is_decided_ ? (sign_ < 0.0 ? "-1" : "+1") : "undecided, +1 assumed",
-                median,
-                moving,
-                static_cast<int>(ahead_.held_back().size()),
-                static_cast<int>(agreeing));
-  evidence_ = text;
+  evidence_ = FormatText(
+      "Doppler sign %s: as stored, the median forward speed is %.2f m/s over %d moving "
+      "of the first %d scans, %d of which agree",
+      is_decided_ ? (sign_ < 0.0 ? "-1" : "+1") : "undecided, +1 assumed",
+      median,
+      moving,
+      static_cast<int>(ahead_.held_back().size()),
+      static_cast<int>(agreeing));
 }
 
 }  // namespace radive

@@ -4,7 +4,6 @@
 #include "radive/pipeline/input_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/doppler_sign.h"
 #include "radive/pipeline/plausibility.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -21,11 +21,7 @@ namespace {
 constexpr double kGap = 1.8;  // times the median interval
 constexpr std::size_t kMostWarnings = 5;
 
-std::string Number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
+std::string Number(double value) { return FormatText("%.4g", value); }
 
 std::string FormatWord(InputOptions options) {
   for (const OptionField& field : options.Fields()) {
@@ -87,9 +83,7 @@ class TextBlock {
  public:
   void Add(const std::string& name, const std::string& what) {
     if (what.empty()) return;
-    char label[32];
-    std::snprintf(label, sizeof(label), "  %-9s", (name.empty() ? "" : name + ":").c_str());
-    text_ += label + (" " + what) + "\n";
+    text_ += FormatText("  %-9s ", (name.empty() ? "" : name + ":").c_str()) + what + "\n";
   }
   std::string text_;
 };

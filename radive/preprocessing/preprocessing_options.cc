@@ -3,6 +3,8 @@
 
 #include "radive/preprocessing/preprocessing_options.h"
 
+#include "radive/util/number_text.h"
+
 namespace radive {
 namespace {
 
@@ -14,7 +16,7 @@ bool CheckOrder(
     const char* low_name, double low, const char* high_name, double high, std::string* error) {
   if (low < high) return true;
   *error = std::string("preprocessing.") + low_name + " must be < preprocessing." + high_name +
-           ", is " + std::to_string(low) + " and " + std::to_string(high);
+           ", is " + NumberText(low) + " and " + NumberText(high);
   return false;
 }
 

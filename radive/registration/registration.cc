@@ -26,6 +26,7 @@
 #include "radive/registration/ndt_matcher.h"
 #include "radive/registration/scan_matcher.h"
 #include "radive/solver/solve.h"
+#include "radive/util/number_text.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -298,7 +299,7 @@ RegistrationResult Register(const RegistrationInput& input,
   const double turned =
       RotationVector(T_submap_radar.rotation * T_prediction.rotation.conjugate()).norm();
   if (!(moved <= options.max_correction && turned <= options.max_rotation_correction)) {
-    result.message = "result is " + std::to_string(moved) + " m and " + std::to_string(turned) +
+    result.message = "result is " + NumberText(moved) + " m and " + NumberText(turned) +
                      " rad from the prediction";
     return result;
   }

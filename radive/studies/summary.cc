@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "radive/studies/bootstrap.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -119,17 +119,10 @@ SummaryRow RowOf(const std::string& variant,
 }
 
 std::string Cell(const std::optional<double>& value) {
-  if (!value) return "";
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.9g", *value);
-  return text;
+  return value ? FormatText("%.9g", *value) : "";
 }
 
-std::string Fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
+std::string Fixed(double value, int digits) { return FormatText("%.*f", digits, value); }
 
 std::string RatioText(const Estimate& ratio) {
   if (!ratio.value) return "-";

@@ -4,7 +4,6 @@
 #include "radive/io/bags/bag_source.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -321,14 +321,10 @@ bool BagSource::HeadersRunAsRecorded() {
   const double by_record = interval(&Stamped::record_ns);
   const bool is_regular = held_back_.size() == kMessagesLookedAt && by_header > 0.0;
   if (!is_regular || is_plausible(by_header) || !is_plausible(by_record)) return true;
-  char text[160];
-  std::snprintf(text,
-                sizeof(text),
-                "the header stamps of %s are %.4g s apart, but were recorded %.4g s apart",
-                topic().name.substr(0, 60).c_str(),
-                by_header,
-                by_record);
-  warnings_.push_back(place_ + ": " + text + "; the times of recording are taken instead");
+  warnings_.push_back(
+      place_ + ": the header stamps of " + topic().name +
+      FormatText(" are %.4g s apart, but were recorded %.4g s apart", by_header, by_record) +
+      "; the times of recording are taken instead");
   return false;
 }
 

@@ -4,9 +4,10 @@
 #include "radive/io/bytes/stamp_text.h"
 
 #include <charconv>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -93,14 +94,10 @@ bool LooksLikeNanoseconds(std::string_view text) {
 
 std::string FormatStamp(std::int64_t stamp_ns) {
   // Division truncates towards zero, so the sign is written apart.
-  char text[40];
-  std::snprintf(text,
-                sizeof(text),
-                "%s%lld.%09lld",
-                stamp_ns < 0 ? "-" : "",
-                std::llabs(stamp_ns / 1'000'000'000),
-                std::llabs(stamp_ns % 1'000'000'000));
-  return text;
+  return FormatText("%s%lld.%09lld",
+                    stamp_ns < 0 ? "-" : "",
+                    std::llabs(stamp_ns / 1'000'000'000),
+                    std::llabs(stamp_ns % 1'000'000'000));
 }
 
 }  // namespace radive

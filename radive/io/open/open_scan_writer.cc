@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <system_error>
 
 #include "radive/io/bags/bag_scan_writer.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/whole_file.h"
 #include "radive/io/points/point_file_writer.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -80,19 +80,15 @@ const FileForm kForms[] = {
 };
 
 std::string NameOf(Naming naming, int number, std::int64_t stamp_ns) {
-  char name[40];
   switch (naming) {
     case Naming::kNumber6:
-      std::snprintf(name, sizeof(name), "%06d", number);
-      return name;
+      return FormatText("%06d", number);
     case Naming::kNumber5:
-      std::snprintf(name, sizeof(name), "%05d", number);
-      return name;
+      return FormatText("%05d", number);
     case Naming::kNumber:
       return "radar_pointcloud_" + std::to_string(number);
     case Naming::kNanoseconds:
-      std::snprintf(name, sizeof(name), "%019lld", static_cast<long long>(stamp_ns));
-      return name;
+      return FormatText("%019lld", static_cast<long long>(stamp_ns));
     case Naming::kSeconds:
       return FormatStamp(stamp_ns);
   }

@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <initializer_list>
 
 #include "radive/io/bytes/lzf.h"
 #include "radive/io/points/point_table.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -26,11 +26,7 @@ std::array<float, kNumFields> Values(const RadarReturn& ret) {
           static_cast<float>(ret.power)};
 }
 
-std::string Text(float value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
-  return text;
-}
+std::string Text(float value) { return FormatText("%.9g", static_cast<double>(value)); }
 
 void AppendTextLine(const RadarReturn& ret, char separator, std::string* text) {
   std::size_t i = 0;
@@ -118,17 +114,13 @@ std::string PlyBytes(const std::vector<RadarReturn>& returns, PlyEncoding encodi
 std::string CsvBytes(const std::vector<RadarReturn>& returns) {
   std::string text = "x,y,z,doppler,power\n";
   for (const RadarReturn& ret : returns) {
-    char line[200];
     const auto [x, y, z, doppler, power] = Values(ret);
-    std::snprintf(line,
-                  sizeof(line),
-                  "%.17g,%.17g,%.17g,%.17g,%.17g\n",
-                  static_cast<double>(x),
-                  static_cast<double>(y),
-                  static_cast<double>(z),
-                  static_cast<double>(doppler),
-                  static_cast<double>(power));
-    text += line;
+    text += FormatText("%.17g,%.17g,%.17g,%.17g,%.17g\n",
+                       static_cast<double>(x),
+                       static_cast<double>(y),
+                       static_cast<double>(z),
+                       static_cast<double>(doppler),
+                       static_cast<double>(power));
   }
   return text;
 }

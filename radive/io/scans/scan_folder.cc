@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "radive/io/scans/scan_stamps.h"
 #include "radive/io/scans/stamp_names.h"
 #include "radive/util/natural_order.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -125,13 +125,8 @@ fs::path FindStampFile(const fs::path& root, const fs::path& folder) {
 }
 
 std::string RateText(double rate) {
-  char text[80];
-  std::snprintf(text,
-                sizeof(text),
-                "%g scans per second are %s",
-                rate > 0.0 ? rate : kAssumedRate,
-                rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
-  return text;
+  return FormatText("%g scans per second are ", rate > 0.0 ? rate : kAssumedRate) +
+         (rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
 }
 
 // "times.txt", with the unit where it is not the usual one.
@@ -206,9 +201,7 @@ bool FindStamps(const fs::path& root,
   for (std::size_t i = 0; i < folder->names.size(); ++i) {
     folder->stamps_ns.push_back(StampAt(static_cast<double>(i), query.rate));
   }
-  char rate[40];
-  std::snprintf(rate, sizeof(rate), "%g Hz", query.rate > 0.0 ? query.rate : kAssumedRate);
-  folder->stamp_origin = rate;
+  folder->stamp_origin = FormatText("%g Hz", query.rate > 0.0 ? query.rate : kAssumedRate);
   folder->stamps_are_positions = true;
   if (!(query.rate > 0.0) && folder->names.size() > 1) {
     folder->stamp_doubt = folder->path.string() + ": the scans have no stamps; " + RateText(0.0);

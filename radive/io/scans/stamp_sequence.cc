@@ -6,12 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <utility>
 
-#include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/stamp_text.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -40,12 +39,6 @@ constexpr double kLargestCounterStep = 30.0;
 constexpr std::int64_t kFarthest = 9'200'000'000'000'000'000;
 // Share of the neighbours with one stamp above which precision was lost [-].
 constexpr double kLostPrecision = 0.2;
-
-std::string Number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
 
 double Median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -290,7 +283,8 @@ std::optional<StampSequence> ReadStampSequence(const std::vector<std::string_vie
     }
   } else if (numbers.step > 0.0 && !choice.has_interval) {
     const double interval = numbers.step * std::pow(10.0, unit.exponent);
-    sequence.doubt = "read as " + sequence.unit + " the stamps lie " + Number(interval) +
+    sequence.doubt = "read as " + sequence.unit + " the stamps lie " +
+                     FormatText("%.4g", interval) +
                      " s apart, and no other unit fits a radar better";
   }
   return sequence;
