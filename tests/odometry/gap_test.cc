@@ -30,7 +30,8 @@ std::vector<Eigen::Vector3d> RoadSide() {
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 3600; ++i) {
     const double side = random.Uniform() < 0.5 ? -1.0 : 1.0;
-    points.emplace_back(random.Uniform() * 900.0 - 50.0, side * (6.0 + 9.0 * random.Uniform()), 0.0);
+    points.emplace_back(
+        random.Uniform() * 900.0 - 50.0, side * (6.0 + 9.0 * random.Uniform()), 0.0);
   }
   return points;
 }
@@ -88,7 +89,8 @@ TEST(Gap, AShortOneIsBridged) {
   const OdometryResult behind = road.See(3.0, 24.0, kSpeed);
   EXPECT_EQ(behind.status, Status::kRegistered);
   EXPECT_NEAR(X(behind), 24.0, 0.1);
-  EXPECT_THAT(road.Warnings(), ElementsAre(HasSubstr("gap of 2 s without scans before the stamp 3.0")));
+  EXPECT_THAT(road.Warnings(),
+              ElementsAre(HasSubstr("gap of 2 s without scans before the stamp 3.0")));
 }
 
 // Of a minute at 8 m/s ten seconds are claimed, and the usual interval: 80.8 m of 480.8 m. Of the

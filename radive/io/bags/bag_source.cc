@@ -327,12 +327,10 @@ bool BagSource::HeadersRunAsRecorded() {
   const double by_record = interval(&Stamped::record_ns);
   const bool is_regular = held_back_.size() == kMessagesLookedAt && by_header > 0.0;
   if (!is_regular || is_plausible(by_header) || !is_plausible(by_record)) return true;
-  const std::string text =
-      FormatText("the header stamps of %s are %.4g s apart, but were recorded %.4g s apart",
-                 topic().name.substr(0, 60).c_str(),
-                 by_header,
-                 by_record);
-  warnings_.push_back(place_ + ": " + text + "; the times of recording are taken instead");
+  warnings_.push_back(
+      place_ + ": the header stamps of " + topic().name +
+      FormatText(" are %.4g s apart, but were recorded %.4g s apart", by_header, by_record) +
+      "; the times of recording are taken instead");
   return false;
 }
 

@@ -44,13 +44,12 @@ void MergedSource::CompareClocks() {
     const double apart = 1e-9 * (static_cast<double>(input.next.stamp_ns) -
                                  static_cast<double>(first.next.stamp_ns));
     if (std::abs(apart) <= kFarApart) continue;
-    const std::string text =
+    warnings_.push_back(
         FormatText("radar %d begins %.6g s %s radar %d by its stamps: have they the same clock?",
                    input.number,
                    std::abs(apart),
                    apart > 0.0 ? "after" : "before",
-                   first.number);
-    warnings_.push_back(text);
+                   first.number));
   }
 }
 

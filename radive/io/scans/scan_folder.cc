@@ -124,9 +124,8 @@ fs::path FindStampFile(const fs::path& root, const fs::path& folder) {
 }
 
 std::string RateText(double rate) {
-  return FormatText("%g scans per second are %s",
-                    rate > 0.0 ? rate : kAssumedRate,
-                    rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
+  return FormatText("%g scans per second are ", rate > 0.0 ? rate : kAssumedRate) +
+         (rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
 }
 
 // "times.txt", with the unit where it is not the usual one.

@@ -9,7 +9,6 @@
 #include <ctime>
 #include <utility>
 
-#include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/util/number_text.h"
 
@@ -40,8 +39,6 @@ constexpr double kLargestCounterStep = 30.0;
 constexpr std::int64_t kFarthest = 9'200'000'000'000'000'000;
 // Share of the neighbours with one stamp above which precision was lost [-].
 constexpr double kLostPrecision = 0.2;
-
-std::string Number(double value) { return FormatText("%.4g", value); }
 
 double Median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -286,7 +283,8 @@ std::optional<StampSequence> ReadStampSequence(const std::vector<std::string_vie
     }
   } else if (numbers.step > 0.0 && !choice.has_interval) {
     const double interval = numbers.step * std::pow(10.0, unit.exponent);
-    sequence.doubt = "read as " + sequence.unit + " the stamps lie " + Number(interval) +
+    sequence.doubt = "read as " + sequence.unit + " the stamps lie " +
+                     FormatText("%.4g", interval) +
                      " s apart, and no other unit fits a radar better";
   }
   return sequence;

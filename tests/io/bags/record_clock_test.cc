@@ -20,10 +20,10 @@ bool WasSetBack(const std::vector<int>& seconds) {
 TEST(RecordClock, TellsAClockThatWasSetFromOtherOrders) {
   EXPECT_FALSE(WasSetBack({}));
   EXPECT_FALSE(WasSetBack({100, 101, 102, 200}));
-  EXPECT_FALSE(WasSetBack({100, 102, 101, 103}));                 // recorders mix up a little
-  EXPECT_TRUE(WasSetBack({4000, 4001, 4002, 403, 404, 405}));     // by an hour
+  EXPECT_FALSE(WasSetBack({100, 102, 101, 103}));                  // recorders mix up a little
+  EXPECT_TRUE(WasSetBack({4000, 4001, 4002, 403, 404, 405}));      // by an hour
   EXPECT_TRUE(WasSetBack({100, 101, 102, 103, 93, 94, 95, 105}));  // by ten seconds
-  EXPECT_FALSE(WasSetBack({104, 105, 106, 101, 102, 103}));       // parts that were joined
+  EXPECT_FALSE(WasSetBack({104, 105, 106, 101, 102, 103}));        // parts that were joined
 }
 
 TEST(RecordClock, TopicsMayLieOneBehindTheOther) {
