@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "radive/ndt/choose_representation.h"
 #include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
 #include "radive/registration/registration.h"
+#include "radive/util/number_text.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -121,17 +121,14 @@ void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
   result->T_world_radar = motion_.Predict(result->ego_velocity, dt).T_world_radar;
   result->num_pairs = 0;
   result->cost = 0.0;
-  submap_->Clear();
+  if (submap_ != nullptr) submap_->Clear();
   T_world_keyframe_.reset();
 }
 
 void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
   const double usual_interval = motion_.usual_interval();
   if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
-  char text[96];
-  std::snprintf(text,
-                sizeof(text),
-                "gap of %.4g s without scans before the stamp %.3f: ",
+  const std::string gap = FormatText("gap of %.4g s without scans before the stamp %.3f: ",
                 dt,
                 Seconds(result.stamp_ns));
   std::string what = "the scan behind it is registered with the submap before";
@@ -146,7 +143,7 @@ void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
                      std::to_string(static_cast<int>(kCarriedTime)) +
                      " s of the velocities at its ends; the map starts anew";
   }
-  warnings_.push_back(text + what);
+  warnings_.push_back(gap + what);
 }
 
 // The pose of the scan: status, reason, T_world_radar and covariance of `result`.

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -28,12 +29,6 @@ double Median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-std::string Text(const char* format, double value) {
-  char text[200];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
 }
 
 double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
@@ -74,14 +69,14 @@ std::vector<std::string> Plausibility::Warnings() const {
     if (range > kFarthestMedian) {
       const bool are_cm = range < kCentimetresEnd;
       warnings.push_back(
-          Text("half of the returns are farther than %.4g m: are the positions in ", range) +
+          FormatText("half of the returns are farther than %.4g m: are the positions in ", range) +
           (are_cm ? "centimetres" : "millimetres") + "? Metres are expected");
     }
   }
   if (intervals_.size() >= kFewestValues) {
     const double rate = 1.0 / Median(intervals_);
     if (rate > kHighestRate || rate < kLowestRate) {
-      warnings.push_back(Text("the stamps say %.4g scans per second", rate) +
+      warnings.push_back(FormatText("the stamps say %.4g scans per second", rate) +
                          ", which no radar makes: is their unit right?");
     }
   }
@@ -89,7 +84,7 @@ std::vector<std::string> Plausibility::Warnings() const {
     const double speed = Median(speeds_);
     if (speed > kHighestSpeed) {
       warnings.push_back(
-          Text("the poses move at %.4g m/s", speed) +
+          FormatText("the poses move at %.4g m/s", speed) +
           ": are the positions in metres, and is the unit of the stamps (or input.rate) right?");
     }
   }

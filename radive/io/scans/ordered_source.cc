@@ -4,18 +4,16 @@
 #include "radive/io/scans/ordered_source.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "radive/io/bytes/stamp_text.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
 
 std::string SignedSeconds(std::int64_t shift_ns) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%+.6g s", static_cast<double>(shift_ns) * 1e-9);
-  return text;
+  return FormatText("%+.6g s", static_cast<double>(shift_ns) * 1e-9);
 }
 
 }  // namespace

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <utility>
 
 #include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/stamp_text.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -37,11 +37,7 @@ constexpr double kLargestCounterStep = 30.0;
 // Share of the neighbours with one stamp above which precision was lost [-].
 constexpr double kLostPrecision = 0.2;
 
-std::string Number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
+std::string Number(double value) { return FormatText("%.4g", value); }
 
 double Median(std::vector<double> values) {
   if (values.empty()) return 0.0;
