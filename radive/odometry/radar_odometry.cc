@@ -120,15 +120,18 @@ void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
   result->reason = "the motion during a gap without scans is unknown" +
                    (result->reason.empty() ? "" : ": " + result->reason);
   result->T_world_radar = motion_.Predict(result->ego_velocity, dt).T_world_radar;
-  submap_->Clear();
+  result->num_pairs = 0;
+  result->cost = 0.0;
+  if (submap_ != nullptr) submap_->Clear();
   T_world_keyframe_.reset();
 }
 
 void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
   const double usual_interval = motion_.usual_interval();
   if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
-  const std::string text = FormatText(
-      "gap of %.4g s without scans before the stamp %.3f: ", dt, Seconds(result.stamp_ns));
+  const std::string gap = FormatText("gap of %.4g s without scans before the stamp %.3f: ",
+                dt,
+                Seconds(result.stamp_ns));
   std::string what = "the scan behind it is registered with the submap before";
   if (result.status == OdometryResult::Status::kStanding) what = "the radar stands at both ends";
   if (result.status == OdometryResult::Status::kPredicted) {
@@ -141,7 +144,7 @@ void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
                      std::to_string(static_cast<int>(kCarriedTime)) +
                      " s of the velocities at its ends; the map starts anew";
   }
-  warnings_.push_back(text + what);
+  warnings_.push_back(gap + what);
 }
 
 // The pose of the scan: status, reason, T_world_radar and covariance of `result`.
