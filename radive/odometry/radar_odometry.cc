@@ -129,9 +129,8 @@ void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
 void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
   const double usual_interval = motion_.usual_interval();
   if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
-  const std::string gap = FormatText("gap of %.4g s without scans before the stamp %.3f: ",
-                dt,
-                Seconds(result.stamp_ns));
+  const std::string gap = FormatText(
+      "gap of %.4g s without scans before the stamp %.3f: ", dt, Seconds(result.stamp_ns));
   std::string what = "the scan behind it is registered with the submap before";
   if (result.status == OdometryResult::Status::kStanding) what = "the radar stands at both ends";
   if (result.status == OdometryResult::Status::kPredicted) {

@@ -124,8 +124,7 @@ std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string
   const bool has_euroc_form = words.size() >= 8 && words.size() != 12 &&
                               line.find(',') != line.npos && LooksLikeNanoseconds(words[0]);
   const bool is_matrix = columns && columns->matrix[0] >= 0;
-  if (has_euroc_form && !is_matrix &&
-      AreEurocColumns(columns.value_or(PoseColumns()), has_names)) {
+  if (has_euroc_form && !is_matrix && AreEurocColumns(columns.value_or(PoseColumns()), has_names)) {
     return ReferenceFormat::kEuroc;
   }
   if (!columns) {
@@ -133,12 +132,13 @@ std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string
     return std::nullopt;
   }
   const bool is_plain = columns->delimiter == '\0';
-  if (is_plain && words.size() == 8 && AreTumColumns(*columns)) return Format::kTum;
-  if (is_plain && words.size() == 12 && AreKittiColumns(*columns)) return Format::kKitti;
-  return Format::kTable;
+  if (is_plain && words.size() == 8 && AreTumColumns(*columns)) return ReferenceFormat::kTum;
+  if (is_plain && words.size() == 12 && AreKittiColumns(*columns)) return ReferenceFormat::kKitti;
+  return ReferenceFormat::kTable;
 }
 
-// Whether the first line has names of columns that FindPoseColumns() knows; those of Boreas are not.
+// Whether the first line has names of columns that FindPoseColumns() knows; those of Boreas are
+// not.
 bool NamesTell(const fs::path& file) {
   std::string text, ignored;
   if (!ReadWholeFile(file, &text, &ignored)) return false;
@@ -153,7 +153,8 @@ std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
   if (IsBag(file)) return Found{file, ReferenceFormat::kBag};
   if (EndsWith(name, "_scans.csv") || file.extension() == ".h5")
     return Found{file, ReferenceFormat::kRadarScenes};
-  if (EndsWith(name, "_poses.csv") && !NamesTell(file)) return Found{file, ReferenceFormat::kBoreas};
+  if (EndsWith(name, "_poses.csv") && !NamesTell(file))
+    return Found{file, ReferenceFormat::kBoreas};
   if (name == "ref_poses.txt") return Found{file, ReferenceFormat::kDicp};
   if (name == "groundtruth_poses.txt") return Found{file, ReferenceFormat::kColoRadar};
   if (ParseRaFlowName(name, &sequence, &sample)) return Found{file, ReferenceFormat::kRaFlow};
