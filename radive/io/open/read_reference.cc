@@ -20,6 +20,7 @@
 #include "radive/io/datasets/vod_poses.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/pose_table.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/io/trajectories/trajectory_io.h"
@@ -82,6 +83,11 @@ std::optional<Format> FormatOfColumns(const fs::path& file, std::string* error) 
   for (std::string_view line; lines.Next(&line);) {
     const std::vector<std::string_view> words = SplitColumns(line);
     if (words.empty() || words[0].front() == '#' || HoldsNamesOnly(line)) continue;
+    std::string problem;
+    if (HasDecimalCommas(line, &problem)) {
+      *error = file.string() + ":" + std::to_string(lines.number()) + ": " + problem;
+      return std::nullopt;
+    }
     const bool is_euroc = words.size() >= 8 && line.find(',') != line.npos &&
                           LooksLikeNanoseconds(words[0]) && words.size() != 12;
     if (is_euroc) return Format::kEuroc;
@@ -338,7 +344,14 @@ std::optional<Reference> ReadReference(const fs::path& path,
   const std::optional<Found> found = Detect(path, options.format, error);
   if (!found) return std::nullopt;
   Reference reference;
-  if (!Read(*found, options, clip, &reference, error)) return std::nullopt;
+  if (!Read(*found, options, clip, &reference, error) ||
+      !CheckPoses(reference.poses, found->path.string(), error)) {
+    return std::nullopt;
+  }
+  for (const std::string& doubt :
+       DoubtsAboutPoses(reference.poses, reference.has_stamps, reference.has_rotations)) {
+    reference.warnings.push_back(found->path.string() + ": " + doubt);
+  }
   if (reference.description.empty()) {
     reference.description = NameOf(found->format) + ", " + found->path.string();
   }

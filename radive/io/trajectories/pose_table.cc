@@ -13,6 +13,7 @@
 #include "radive/geometry/roll_pitch_yaw.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/pose_text.h"
 
 namespace radive {
@@ -79,8 +80,7 @@ bool SetPose(const Names& words, const PoseColumns& columns, RecordedPose* pose,
   pose->T_world_body.translation << value(p[0]), value(p[1]), value(p[2]);
   const std::array<int, 4>& q = columns.quaternion;
   if (IsThere(q[0])) {
-    pose->T_world_body.rotation =
-        RotationOfQuaternion(value(q[3]), value(q[0]), value(q[1]), value(q[2]));
+    SetRotation(value(q[3]), value(q[0]), value(q[1]), value(q[2]), pose);
   } else {
     const std::array<int, 3>& a = columns.angles;
     pose->T_world_body.rotation =
@@ -218,6 +218,11 @@ bool ParsePoseTable(std::string_view text,
     if (std::exchange(is_names, false)) continue;
     const Names words = SplitColumns(line);
     const std::string where = place + ":" + std::to_string(lines.number());
+    std::string problem;
+    if (HasDecimalCommas(line, &problem)) {
+      *error = where + ": " + problem;
+      return false;
+    }
     if (words.size() < num_needed) {
       *error = where + ": expected at least " + std::to_string(num_needed) + " columns, found " +
                std::to_string(words.size());
@@ -227,6 +232,10 @@ bool ParsePoseTable(std::string_view text,
     if (!SetPose(words, columns, &poses->emplace_back(), &bad)) {
       *error = where + ": expected a finite number in column " + std::to_string(bad + 1) +
                ", found " + Quoted(words[static_cast<std::size_t>(bad)]);
+      return false;
+    }
+    if (!CheckPose(poses->back(), &problem)) {
+      *error = where + ": " + problem;
       return false;
     }
   }
