@@ -6,13 +6,15 @@
 #include <ceres/problem.h>
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "radive/ego_velocity/velocity_branches.h"
 #include "radive/factors/condensed_doppler_factor.h"
 #include "radive/factors/doppler_factor.h"
+#include "radive/geometry/small_matrix.h"
 #include "radive/preprocessing/occlusion_counts.h"
 #include "radive/solver/solve.h"
 #include "radive/util/number_text.h"
@@ -45,6 +47,19 @@ std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals,
 
 // Largest Doppler residual of a return that can hide others [m/s].
 constexpr double kHidingGate = 0.5;
+
+// Of a symmetric positive semidefinite matrix: zero in the directions that it leaves open.
+Eigen::Matrix3d PseudoInverse(const Eigen::Matrix3d& matrix) {
+  const SmallEigen eigen = SymmetricEigen(matrix);
+  const double smallest = 3.0 * std::numeric_limits<double>::epsilon() * eigen.values[2];
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (!(eigen.values[i] > smallest)) continue;
+    const Eigen::Vector3d v = eigen.vectors.col(i);
+    inverse += v * v.transpose() / eigen.values[i];
+  }
+  return inverse;
+}
 
 }  // namespace
 
@@ -282,7 +297,7 @@ Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equatio
   const double kappa = std::max(kMinSlope, 1.0 - 2.0 * num_at_edge / num_inliers);
   const double sigma_up = options_.vertical_sigma;
   const Eigen::Matrix3d R = sum_of_weights * vertical_ridge * up_radar * up_radar.transpose();
-  const Eigen::Matrix3d inverse = (A + R).completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::Matrix3d inverse = PseudoInverse(A + R);
   const Eigen::Matrix3d covariance =
       inverse * (S / (kappa * kappa) + sigma_up * sigma_up * R * R.transpose()) * inverse;
   const double common_variance = options_.common_sigma * options_.common_sigma;
@@ -303,10 +318,8 @@ double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
   information(0, 1) = (is_inlier * equations.first * equations.second).sum();
   information(1, 0) = information(0, 1);
   const Eigen::Matrix2d covariance = equations.basis.transpose() * fit.covariance * equations.basis;
-  const double weakest =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];
-  const double largest =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1];
+  const double weakest = SymmetricEigen(information).values[0];
+  const double largest = SymmetricEigen(covariance).values[1];
   return std::max(std::sqrt(std::max(0.0, largest)),
                   sensor_.sigma_doppler / std::sqrt(std::max(0.0, weakest)));
 }

@@ -12,14 +12,10 @@
 #include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
 #include "radive/registration/registration.h"
+#include "radive/util/seconds.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
-namespace {
-
-double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
-
-}  // namespace
 
 RadarOdometry::RadarOdometry(const OdometryOptions& options)
     : options_(options),

@@ -13,7 +13,7 @@
 #include "radive/config/describe_config.h"
 #include "radive/io/trajectories/trajectory_io.h"
 #include "radive/odometry/odometry.h"
-#include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/doppler_checked_source.h"
 #include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
 #include "radive/pipeline/result_writer.h"
@@ -32,9 +32,8 @@ class SequenceRun {
       : config_(config),
         request_(request),
         stored_(source),
-        signed_source_(source, config.odometry.sensor),
-        source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
-                                                                              : source),
+        checked_source_(source, MakeDopplerCheck(config)),
+        source_(config.odometry.ego_velocity.enabled ? &checked_source_ : source),
         odometry_(WithRecord(config)),
         map_(config.output.map_resolution),
         progress_(stderr,
@@ -74,6 +73,13 @@ class SequenceRun {
     options.sdf_submap.record_grid_spacing =
         config.output.map == OutputOptions::Map::kMesh ? config.output.mesh_resolution : 0.0;
     return options;
+  }
+
+  static DopplerCheck MakeDopplerCheck(const RunConfig& config) {
+    const bool is_given = config.input.doppler_sign != InputOptions::DopplerSign::kAuto;
+    return DopplerCheck(config.odometry.sensor,
+                        config.odometry.preprocessing,
+                        is_given ? DopplerCheck::Sign::kGiven : DopplerCheck::Sign::kUnknown);
   }
 
   std::optional<int> NumScansToRun() const {
@@ -148,12 +154,11 @@ class SequenceRun {
 
   void TellAboutSource() {
     for (const std::string& warning : source_->TakeWarnings()) Warn(warning);
-    if (!signed_source_.evidence().empty() && !has_told_sign_) {
-      has_told_sign_ = true;
-      if (signed_source_.is_decided()) {
-        Note(signed_source_.evidence());
+    for (const DopplerRemark& remark : checked_source_.TakeRemarks()) {
+      if (remark.is_warning) {
+        Warn(remark.text);
       } else {
-        Warn(signed_source_.evidence() + "; set input.doppler_sign to be sure");
+        Note(remark.text);
       }
     }
   }
@@ -229,7 +234,7 @@ class SequenceRun {
   const RunRequest& request_;
   const Stopwatch wall_time_;
   ScanSource* const stored_;
-  DopplerSignSource signed_source_;
+  DopplerCheckedSource checked_source_;
   ScanSource* const source_;
   Odometry odometry_;
   std::optional<OutputFrame> frame_;  // from the first scan on
@@ -239,7 +244,6 @@ class SequenceRun {
   ResultWriter writer_;
   RunReport report_;
   Progress progress_;
-  bool has_told_sign_ = false;
 };
 
 }  // namespace

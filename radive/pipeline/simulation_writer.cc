@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool PrepareFolder(const fs::path& folder, std::string* error) {
+bool PrepareNewFolder(const fs::path& folder, std::string* error) {
   std::error_code code;
   if (fs::exists(folder, code) &&
       (!fs::is_directory(folder, code) || !fs::is_empty(folder, code))) {
@@ -85,7 +85,7 @@ bool WriteSimulation(const std::string& scenario,
                      const fs::path& folder,
                      const std::function<void(int, int)>& progress,
                      std::string* error) {
-  if (!options.IsValid(error) || !PrepareFolder(folder, error)) return false;
+  if (!options.IsValid(error) || !PrepareNewFolder(folder, error)) return false;
   const std::unique_ptr<ScanWriter> writer = OpenScanWriter(format, folder, error);
   if (writer == nullptr) return false;
   RadarSimulator simulator(options);

@@ -12,11 +12,10 @@
 #include <cstring>
 
 #include "radive/geometry/spherical.h"
+#include "radive/util/angle_units.h"
 
 namespace radive {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct BinKey {
   std::int64_t azimuth = 0;    // index of the bin

@@ -41,9 +41,9 @@ bool IsPointCloud(const MessageTopic& topic) {
 
 // The topic that `wanted` names, or the only one with point clouds. Nothing, with the topics in
 // `error`, when there is none, or several.
-std::optional<int> ChooseTopic(const std::vector<MessageTopic>& topics,
-                               const std::string& wanted,
-                               std::string* error) {
+std::optional<int> ChooseScanTopic(const std::vector<MessageTopic>& topics,
+                                   const std::string& wanted,
+                                   std::string* error) {
   const std::string expected = "expected sensor_msgs PointCloud2 or PointCloud";
   std::vector<int> found;
   std::vector<MessageTopic> candidates;
@@ -121,7 +121,7 @@ std::unique_ptr<BagSource> BagSource::Create(std::unique_ptr<MessageSource> bag,
                                              const InputOptions& options,
                                              std::string* error) {
   std::string reason;
-  const std::optional<int> topic = ChooseTopic(bag->topics(), options.topic, &reason);
+  const std::optional<int> topic = ChooseScanTopic(bag->topics(), options.topic, &reason);
   if (!topic) {
     *error = place + ": " + reason;
     for (const std::string& warning : bag->TakeWarnings()) *error += "; " + warning;

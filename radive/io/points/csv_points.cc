@@ -11,8 +11,6 @@
 namespace radive {
 namespace {
 
-constexpr std::size_t kMostColumns = 1000;
-
 char DelimiterOf(std::string_view names) {
   for (const char delimiter : {',', ';', '\t'}) {
     if (names.find(delimiter) != std::string_view::npos) return delimiter;

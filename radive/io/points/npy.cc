@@ -14,7 +14,6 @@ namespace radive {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::uint64_t kMostColumns = 1000;
 
 struct NpyHeader {
   NumericType type = NumericType::kFloat32;

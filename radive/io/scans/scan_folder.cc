@@ -13,6 +13,7 @@
 #include "radive/io/scans/scan_stamps.h"
 #include "radive/util/natural_order.h"
 #include "radive/util/number_text.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
@@ -22,10 +23,6 @@ namespace fs = std::filesystem;
 constexpr int kDeepestSearch = 6;
 
 std::string_view Stem(std::string_view name) { return name.substr(0, name.rfind('.')); }
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
 
 bool IsDigits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
