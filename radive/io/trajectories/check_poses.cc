@@ -3,7 +3,9 @@
 
 #include "radive/io/trajectories/check_poses.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +15,7 @@
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/util/number_text.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
