@@ -171,16 +171,14 @@ bool RadarScenesHdf5Source::FindScans(std::vector<int>* radars, std::string* err
 
 // A table that has lost its end is whole in itself, but not beside the odometry.
 void RadarScenesHdf5Source::CompareWithOdometry() {
-  constexpr std::int64_t kMostMissing = 1'000'000'000;  // [ns]
+  constexpr double kMostMissing = 1.0;  // [s]
   std::string ignored;
   const auto poses = ReadRadarScenesOdometry(file_, &ignored);
   if (scans_.empty() || !poses) return;
-  const std::int64_t late_start = scans_.front().stamp_ns - poses->front().stamp_ns;
-  const std::int64_t early_end = poses->back().stamp_ns - scans_.back().stamp_ns;
+  const double late_start = StampSeconds(scans_.front().stamp_ns) - poses->front().stamp_s;
+  const double early_end = poses->back().stamp_s - StampSeconds(scans_.back().stamp_ns);
   if (late_start <= kMostMissing && early_end <= kMostMissing) return;
-  const auto seconds = [](std::int64_t t) {
-    return FormatText("%.3g s", std::max(0.0, static_cast<double>(t) * 1e-9));
-  };
+  const auto seconds = [](double t) { return FormatText("%.3g s", std::max(0.0, t)); };
   warnings_.push_back(file_.string() + ": the detections of radar " + std::to_string(radar_) +
                       " begin " + seconds(late_start) + " after the odometry and end " +
                       seconds(early_end) + " before it; scans may be lost");
