@@ -223,11 +223,8 @@ bool ReadText(const fs::path& file,
               TrajectoryFormat format,
               Reference* reference,
               std::string* error) {
-  auto poses = ReadTrajectory(file, format, error);
-  if (!poses) return false;
-  reference->poses = *std::move(poses);
-  reference->has_stamps = format != TrajectoryFormat::kKitti;
-  return true;
+  return ReadPoses(
+      ReadTrajectory(file, format, error), format != TrajectoryFormat::kKitti, reference);
 }
 
 bool ReadTable(const fs::path& file,
@@ -391,10 +388,8 @@ std::optional<Reference> ReadReference(const fs::path& path,
       !CheckPoses(reference.poses, found->path.string(), error)) {
     return std::nullopt;
   }
-  for (const std::string& doubt :
-       DoubtsAboutPoses(reference.poses, reference.has_stamps, reference.has_rotations)) {
-    reference.warnings.push_back(found->path.string() + ": " + doubt);
-  }
+  reference.warnings = DoubtsAboutPoses(
+      reference.poses, reference.has_stamps, reference.has_rotations, found->path.string());
   if (reference.description.empty()) {
     reference.description = NameOf(found->format) + ", " + found->path.string();
   }

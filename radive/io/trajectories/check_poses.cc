@@ -52,8 +52,8 @@ bool IsDecimalComma(std::string_view word) {
   return is_digit(word[comma - 1]) && is_digit(word[comma + 1]) && ParseFinite(with_point);
 }
 
-// Of a pose and both neighbours: how far it lies off what interpolation gives, and the time from
-// the one to the other neighbour's side.
+// How far a pose lies off the interpolation of both neighbours, `share` of the way to the one
+// after it.
 using Deviation = std::function<double(
     const MatrixPose& before, const MatrixPose& pose, const MatrixPose& after, double share)>;
 
@@ -184,7 +184,8 @@ bool HasDecimalCommas(std::string_view line, std::string* problem) {
 
 std::vector<std::string> DoubtsAboutPoses(const RecordedTrajectory& poses,
                                           bool has_stamps,
-                                          bool has_rotations) {
+                                          bool has_rotations,
+                                          const std::string& place) {
   std::vector<std::string> doubts;
   const auto add = [&](const auto& is_odd, const std::string& what) {
     const std::ptrdiff_t count = std::count_if(poses.begin(), poses.end(), is_odd);
@@ -222,6 +223,7 @@ std::vector<std::string> DoubtsAboutPoses(const RecordedTrajectory& poses,
               "rad",
               &doubts);
   }
+  for (std::string& doubt : doubts) doubt.insert(0, place + ": ");
   return doubts;
 }
 

@@ -39,7 +39,7 @@ RecordedTrajectory Drive(std::size_t replaced, const std::string& line) {
 }
 
 std::vector<std::string> Doubts(const RecordedTrajectory& poses) {
-  return DoubtsAboutPoses(poses, /*has_stamps=*/true, /*has_rotations=*/true);
+  return DoubtsAboutPoses(poses, /*has_stamps=*/true, /*has_rotations=*/true, "file");
 }
 
 TEST(CheckPoses, PositionsBeyondTheBoundAreAnError) {
@@ -68,9 +68,9 @@ TEST(CheckPoses, MatricesThatAreNoRotationsAreAnError) {
       ErrorOf("1.03 0 0 1 0 1 0 2 0 0 1 3\n", format),
       HasSubstr("file:1: expected a rotation matrix, found one with ||R R^T - I|| = 0.060"));
   EXPECT_THAT(ErrorOf("-1 0 0 1 0 1 0 2 0 0 1 3\n", format), HasSubstr("a reflection"));
-  EXPECT_THAT(DoubtsAboutPoses(Read("1.02 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true),
+  EXPECT_THAT(DoubtsAboutPoses(Read("1.02 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true, "file"),
               ElementsAre(HasSubstr("1 of 1 poses have a matrix")));
-  EXPECT_THAT(DoubtsAboutPoses(Read("1.0004 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true),
+  EXPECT_THAT(DoubtsAboutPoses(Read("1.0004 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true, "file"),
               IsEmpty());
 }
 
@@ -108,7 +108,7 @@ TEST(CheckPoses, SpikesAreDoubted) {
 
 TEST(CheckPoses, StampsThatGoBackAreDoubted) {
   EXPECT_THAT(Doubts(Read("5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n")),
-              ElementsAre("the stamps of 1 of 3 poses go back, the first is that of pose 3"));
+              ElementsAre("file: the stamps of 1 of 3 poses go back, the first is that of pose 3"));
 }
 
 }  // namespace
