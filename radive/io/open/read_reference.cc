@@ -21,6 +21,7 @@
 #include "radive/io/datasets/vod_poses.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/find_pose_columns.h"
 #include "radive/io/trajectories/pose_names.h"
 #include "radive/io/trajectories/pose_table.h"
@@ -222,11 +223,8 @@ bool ReadText(const fs::path& file,
               TrajectoryFormat format,
               Reference* reference,
               std::string* error) {
-  auto poses = ReadTrajectory(file, format, error);
-  if (!poses) return false;
-  reference->poses = *std::move(poses);
-  reference->has_stamps = format != TrajectoryFormat::kKitti;
-  return true;
+  return ReadPoses(
+      ReadTrajectory(file, format, error), format != TrajectoryFormat::kKitti, reference);
 }
 
 bool ReadTable(const fs::path& file,
@@ -386,7 +384,12 @@ std::optional<Reference> ReadReference(const fs::path& path,
   const std::optional<Found> found = Detect(path, options.format, error);
   if (!found) return std::nullopt;
   Reference reference;
-  if (!Read(*found, options, clip, &reference, error)) return std::nullopt;
+  if (!Read(*found, options, clip, &reference, error) ||
+      !CheckPoses(reference.poses, found->path.string(), error)) {
+    return std::nullopt;
+  }
+  reference.warnings = DoubtsAboutPoses(
+      reference.poses, reference.has_stamps, reference.has_rotations, found->path.string());
   if (reference.description.empty()) {
     reference.description = NameOf(found->format) + ", " + found->path.string();
   }

@@ -86,7 +86,7 @@ TEST_F(TrajectoryIo, ReadsTumOfOtherHabits) {
 TEST_F(TrajectoryIo, NormalisesQuaternionsAndTakesZeroForIdentity) {
   std::string error;
   const auto trajectory =
-      ReadTrajectory(Write("0 0 0 0 0 0 -3 -3\n1 0 0 0 0 0 0 0\n"), TrajectoryFormat::kTum, &error);
+      ReadTrajectory(Write("0 0 0 0 0 0 -1 -1\n1 0 0 0 0 0 0 0\n"), TrajectoryFormat::kTum, &error);
   ASSERT_TRUE(trajectory) << error;
   const Eigen::Matrix3d& R = (*trajectory)[0].T_world_body.rotation;
   EXPECT_NEAR((R.col(0) - Eigen::Vector3d::UnitY()).norm(), 0.0, 1e-15);
