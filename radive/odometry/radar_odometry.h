@@ -31,7 +31,9 @@ class RadarOdometry {
   OdometryResult AddScan(const RadarScan& scan);
 
   // See Odometry::TakeSurfaces.
-  std::optional<SurfaceRecord> TakeSurfaceRecord() { return submap_->TakeSurfaceRecord(); }
+  std::optional<SurfaceRecord> TakeSurfaceRecord() {
+    return submap_ == nullptr ? std::nullopt : submap_->TakeSurfaceRecord();
+  }
 
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
 
@@ -42,6 +44,8 @@ class RadarOdometry {
   // "stamp repeats" or "stamp goes back" when the scan cannot follow the last one.
   std::string WhyOutOfOrder(const RadarScan& scan) const;
   void NoteMissingDoppler(const RadarScan& scan);
+  // The first scan that can start the submap says of what Gaussians, where the options do not.
+  void PrepareSubmap(const FilteredScan& filtered);
   void Locate(const RadarScan& scan,
               const FilteredScan& filtered,
               double dt,
@@ -59,10 +63,12 @@ class RadarOdometry {
   bool IsKeyframe(const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);
 
-  const OdometryOptions options_;
+  bool CanStart(const FilteredScan& filtered) const;
+
+  OdometryOptions options_;
   MotionModel motion_;
   ScanFilter filter_;
-  std::unique_ptr<Submap> submap_;
+  std::unique_ptr<Submap> submap_;          // null until it is known of what Gaussians
   std::optional<Rigid3> T_world_keyframe_;  // T_world_radar of the last keyframe
   std::optional<std::int64_t> last_stamp_ns_;
   int num_scans_ = 0;

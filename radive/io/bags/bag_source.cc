@@ -42,9 +42,9 @@ bool IsPointCloud(const MessageTopic& topic) {
 
 // The topic that `wanted` names, or the only one with point clouds. Nothing, with the topics in
 // `error`, when there is none, or several.
-std::optional<int> ChooseTopic(const std::vector<MessageTopic>& topics,
-                               const std::string& wanted,
-                               std::string* error) {
+std::optional<int> ChooseScanTopic(const std::vector<MessageTopic>& topics,
+                                   const std::string& wanted,
+                                   std::string* error) {
   const std::string expected = "expected sensor_msgs PointCloud2 or PointCloud";
   std::vector<int> found;
   std::vector<MessageTopic> candidates;
@@ -133,7 +133,7 @@ std::unique_ptr<BagSource> BagSource::Create(std::unique_ptr<MessageSource> bag,
                                              const InputOptions& options,
                                              std::string* error) {
   std::string reason;
-  const std::optional<int> topic = ChooseTopic(bag->topics(), options.topic, &reason);
+  const std::optional<int> topic = ChooseScanTopic(bag->topics(), options.topic, &reason);
   if (!topic) {
     *error = place + ": " + reason;
     for (const std::string& warning : bag->TakeWarnings()) *error += "; " + warning;
@@ -199,8 +199,14 @@ ScanSource::Status BagSource::FailUnreadable() {
 // will.
 ScanSource::Status BagSource::ReadReturns(const Message& message, RadarScan* scan) {
   PointTable table;
+  std::vector<std::string> remarks;
   std::string reason;
-  if (!ReadPointCloud(message.payload, topic(), &table, &reason)) {
+  const bool is_read = ReadPointCloud(message.payload, topic(), &table, &remarks, &reason);
+  for (const std::string& remark : remarks) {
+    counted_.Add("point clouds that contradict themselves in " + place_,
+                 scan->place + ": " + remark);
+  }
+  if (!is_read) {
     if (num_unreadable_++ == 0) first_reason_ = scan->place + ": " + reason;
     if (!has_read_ && num_unreadable_ == kMessagesLookedAt) return FailUnreadable();
     counted_.Add("damaged point clouds in " + place_,

@@ -30,6 +30,7 @@ PointFolderSource::PointFolderSource(ScanFolder folder,
   CHECK(reader_ != nullptr);
   CHECK_EQ(folder_.names.size(), folder_.stamps_ns.size());
   if (!folder_.stamp_doubt.empty()) warnings_.push_back(folder_.stamp_doubt);
+  warnings_.insert(warnings_.end(), folder_.warnings.begin(), folder_.warnings.end());
 }
 
 ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
