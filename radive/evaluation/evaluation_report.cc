@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
 #include "radive/util/number_text.h"
 
 namespace radive {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/nearest_value.h"
 #include "radive/evaluation/path_length.h"
 #include "radive/evaluation/pose_relation.h"
+#include "radive/util/angle_units.h"
 #include "radive/util/number_text.h"
 
 namespace radive {

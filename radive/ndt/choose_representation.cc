@@ -29,8 +29,8 @@ NdtOptions::Representation ChooseRepresentation(const std::vector<RadarReturn>& 
       GaussiansOfVoxels(points, std::vector<double>(points.size(), 1.0), all).size();
   const double per_voxel =
       num_voxels == 0 ? 0.0 : static_cast<double>(points.size()) / static_cast<double>(num_voxels);
-  const bool is_voxel = points.size() >= kVeryDense ||
-                        (points.size() >= kDense && per_voxel >= kMinPerVoxel);
+  const bool is_voxel =
+      points.size() >= kVeryDense || (points.size() >= kDense && per_voxel >= kMinPerVoxel);
   *reason = FormatText(
       "ndt.representation %s, for the first scan has %zu static returns, %.1f to a voxel",
       is_voxel ? "voxel" : "point",

@@ -95,7 +95,7 @@ RegistrationPriors MotionModel::Priors(const MotionPrediction& prediction,
         time * time * velocity.covariance + variance * Eigen::Matrix3d::Identity()};
   }
   if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
-      prediction.v_mean.norm() < motion.low_speed_limit) {
+      velocity.v_radar.norm() < motion.low_speed_limit) {
     priors.translation =
         RegistrationPriors::Translation{prediction.T_world_radar.translation,
                                         Eigen::Matrix3d::Identity() / motion.low_speed_lambda};

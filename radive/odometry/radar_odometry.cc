@@ -14,6 +14,7 @@
 #include "radive/odometry/submap.h"
 #include "radive/registration/registration.h"
 #include "radive/util/number_text.h"
+#include "radive/util/seconds.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -22,18 +23,15 @@ namespace {
 // A gap that is worth a warning: so many usual intervals, and so long [s].
 constexpr double kGapIntervals = 5.0;
 constexpr double kGapTime = 1.0;
-// How much worse than scans before one behind a gap may fit the submap.
+// A scan behind a gap fits as scans before did with this share of their pairs at least, and a cost
+// that is higher by this share at most.
 constexpr double kFewerPairs = 0.8;
-constexpr double kHigherCost = 1.5;
-
-double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
+constexpr double kHigherCost = 0.3;
 
 }  // namespace
 
 RadarOdometry::RadarOdometry(const OdometryOptions& options)
-    : options_(options),
-      motion_(options),
-      filter_(options, options.sensor) {}
+    : options_(options), motion_(options), filter_(options, options.sensor) {}
 
 std::string RadarOdometry::WhyOutOfOrder(const RadarScan& scan) const {
   if (!last_stamp_ns_ || scan.stamp_ns > *last_stamp_ns_) return "";
@@ -111,13 +109,16 @@ void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
                                     OdometryResult* result) {
   const double interval = motion_.usual_interval();
   Register(filtered, motion_.Predict(result->ego_velocity, interval), interval, result);
-  const double pairs = result->num_pairs;
+  const double num_gaussians = std::max(1, result->num_gaussians);
+  // Costs of NDT are below 0: the more, the better.
+  const double worst_cost = usual_cost_ + kHigherCost * std::abs(usual_cost_);
   const bool fits = result->status == OdometryResult::Status::kRegistered &&
-                    pairs >= kFewerPairs * pairs_per_gaussian_ * result->num_gaussians &&
-                    result->cost <= kHigherCost * cost_per_pair_ * pairs;
+                    result->num_pairs >= kFewerPairs * usual_pairs_ * num_gaussians &&
+                    (!has_fit_ || result->cost <= worst_cost * num_gaussians);
   if (fits) return;
   result->status = OdometryResult::Status::kPredicted;
-  result->reason = "the motion during a gap without scans is unknown";
+  result->reason = "the motion during a gap without scans is unknown" +
+                   (result->reason.empty() ? "" : ": " + result->reason);
   result->T_world_radar = motion_.Predict(result->ego_velocity, dt).T_world_radar;
   result->num_pairs = 0;
   result->cost = 0.0;
@@ -128,9 +129,8 @@ void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
 void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
   const double usual_interval = motion_.usual_interval();
   if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
-  const std::string gap = FormatText("gap of %.4g s without scans before the stamp %.3f: ",
-                dt,
-                Seconds(result.stamp_ns));
+  const std::string gap = FormatText(
+      "gap of %.4g s without scans before the stamp %.3f: ", dt, Seconds(result.stamp_ns));
   std::string what = "the scan behind it is registered with the submap before";
   if (result.status == OdometryResult::Status::kStanding) what = "the radar stands at both ends";
   if (result.status == OdometryResult::Status::kPredicted) {
@@ -188,11 +188,11 @@ void RadarOdometry::Locate(const RadarScan& scan,
 }
 
 void RadarOdometry::LearnFit(const OdometryResult& result) {
-  const double pairs = static_cast<double>(result.num_pairs) / std::max(1, result.num_gaussians);
-  const double cost = result.cost / result.num_pairs;
-  const double gain = pairs_per_gaussian_ == 0.0 ? 1.0 : 0.1;
-  pairs_per_gaussian_ += gain * (pairs - pairs_per_gaussian_);
-  cost_per_pair_ += gain * (cost - cost_per_pair_);
+  const double num_gaussians = std::max(1, result.num_gaussians);
+  const double gain = has_fit_ ? 0.1 : 1.0;
+  has_fit_ = true;
+  usual_pairs_ += gain * (result.num_pairs / num_gaussians - usual_pairs_);
+  usual_cost_ += gain * (result.cost / num_gaussians - usual_cost_);
 }
 
 bool RadarOdometry::IsKeyframe(const OdometryResult& result) const {

@@ -72,9 +72,10 @@ class RadarOdometry {
   std::optional<Rigid3> T_world_keyframe_;  // T_world_radar of the last keyframe
   std::optional<std::int64_t> last_stamp_ns_;
   int num_scans_ = 0;
-  // Of registered scans, exponentially weighted; 0: none yet.
-  double pairs_per_gaussian_ = 0.0;
-  double cost_per_pair_ = 0.0;
+  // How well registered scans fit, exponentially weighted: pairs and cost per Gaussian.
+  bool has_fit_ = false;
+  double usual_pairs_ = 1.0;
+  double usual_cost_ = 0.0;
   bool has_noted_doppler_ = false;
   std::vector<std::string> notes_;
   std::vector<std::string> warnings_;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "radive/util/number_text.h"
+#include "radive/util/seconds.h"
 
 namespace radive {
 namespace {
@@ -30,8 +31,6 @@ double Median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
-
-double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
 }  // namespace
 

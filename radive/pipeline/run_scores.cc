@@ -11,10 +11,10 @@
 #include <system_error>
 #include <utility>
 
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluation_report.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/trajectories/pose_text.h"
+#include "radive/util/angle_units.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -44,10 +44,6 @@ bool ReadRunFacts(const Json& run, RunEstimate* estimate) {
   if (!(std::abs(q.norm() - 1.0) < 1e-6) || estimate->start < 0) return false;
   estimate->T_output_reference = Rigid3(q, {v[0], v[1], v[2]});
   return true;
-}
-
-bool IsIdentity(const Rigid3& T) {
-  return T.translation.isZero(0.0) && T.rotation.vec().isZero(0.0);
 }
 
 // KITTI files with six digits hold matrices that evo does not take for rotations, and so gives no

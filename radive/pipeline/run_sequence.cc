@@ -13,7 +13,7 @@
 #include "radive/config/describe_config.h"
 #include "radive/io/trajectories/trajectory_io.h"
 #include "radive/odometry/odometry.h"
-#include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/doppler_checked_source.h"
 #include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
 #include "radive/pipeline/plausibility.h"
@@ -33,9 +33,8 @@ class SequenceRun {
       : config_(config),
         request_(request),
         stored_(source),
-        signed_source_(source, config.odometry.sensor),
-        source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
-                                                                              : source),
+        checked_source_(source, MakeDopplerCheck(config)),
+        source_(config.odometry.ego_velocity.enabled ? &checked_source_ : source),
         odometry_(WithRecord(config)),
         map_(config.output.map_resolution),
         progress_(stderr,
@@ -61,6 +60,10 @@ class SequenceRun {
       }
     }
     progress_.Finish();
+    // Nothing to say of a drive of which nothing was seen: earlier results are worth more.
+    if (status == RunStatus::kInterrupted && report_.num_scans() == 0) return status;
+    // The disk is full: earlier results stay, and the scans are in the partial files.
+    if (has_failed_to_write_) return status;
     std::string write_error;
     if (!WriteFiles(status, *error, &write_error) && status != RunStatus::kFailed) {
       *error = write_error;
@@ -78,6 +81,13 @@ class SequenceRun {
     options.sdf_submap.record_grid_spacing =
         config.output.map == OutputOptions::Map::kMesh ? config.output.mesh_resolution : 0.0;
     return options;
+  }
+
+  static DopplerCheck MakeDopplerCheck(const RunConfig& config) {
+    const bool is_given = config.input.doppler_sign != InputOptions::DopplerSign::kAuto;
+    return DopplerCheck(config.odometry.sensor,
+                        config.odometry.preprocessing,
+                        is_given ? DopplerCheck::Sign::kGiven : DopplerCheck::Sign::kUnknown);
   }
 
   std::optional<int> NumScansToRun() const {
@@ -135,7 +145,10 @@ class SequenceRun {
       for (const std::string& warning : odometry_.TakeWarnings()) Warn(warning);
       if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
       report_.AddScan(result, info.read_ms, scan.place);
-      if (!writer_.AddScan(info, result, error)) return RunStatus::kFailed;
+      if (!writer_.AddScan(info, result, error)) {
+        has_failed_to_write_ = true;
+        return RunStatus::kFailed;
+      }
       progress_.Update(report_.num_scans());
     }
     return RunStatus::kDone;
@@ -153,24 +166,18 @@ class SequenceRun {
 
   void TellAboutSource() {
     for (const std::string& warning : source_->TakeWarnings()) Warn(warning);
-    if (!signed_source_.evidence().empty() && !has_told_sign_) {
-      has_told_sign_ = true;
-      if (signed_source_.is_decided()) {
-        Note(signed_source_.evidence());
+    for (const DopplerRemark& remark : checked_source_.TakeRemarks()) {
+      if (remark.is_warning) {
+        Warn(remark.text);
       } else {
-        Warn(signed_source_.evidence() + "; set input.doppler_sign to be sure");
+        Note(remark.text);
       }
     }
   }
 
-  // False when a file could not be written; the others are written all the same, run.json last.
+  // False when a file could not be written, then earlier results stay, or when there are no scores.
   bool WriteFiles(RunStatus status, const std::string& run_error, std::string* error) {
-    bool ok = writer_.Finish(error);
-    std::string file_error;
-    const auto keep_first = [&](bool written) {
-      if (!written && ok) *error = file_error;
-      ok = ok && written;
-    };
+    if (!writer_.EndScans(error)) return false;
     std::vector<RadarSurface> surfaces;
     if (config_.output.NeedsSurface()) {
       surfaces = odometry_.TakeSurfaces();
@@ -179,18 +186,15 @@ class SequenceRun {
     }
     for (const MapFile& file :
          MakeMapFiles(config_.output, config_.odometry.surface, map_.points(), surfaces)) {
-      if (file.bytes) {
-        keep_first(writer_.WriteText(file.name, *file.bytes, &file_error));
-      } else {
-        writer_.RemoveEarlier(file.name);
-      }
+      if (file.bytes && !writer_.WriteText(file.name, *file.bytes, error)) return false;
     }
-    if (reference_ && ok && run_error.empty()) {
-      keep_first(WriteScores(status, &file_error));
-    } else {
-      writer_.RemoveEarlier("scores.json");
+    std::string no_scores;
+    if (reference_ && run_error.empty()) {
+      const std::string json = Scores(status, &no_scores);
+      if (!json.empty() && !writer_.WriteText("scores.json", json, error)) return false;
+      if (!no_scores.empty() && status == RunStatus::kInterrupted) Warn(std::exchange(no_scores, ""));
     }
-    keep_first(writer_.WriteText("config.yaml", EffectiveConfig(config_), &file_error));
+    if (!writer_.WriteText("config.yaml", EffectiveConfig(config_), error)) return false;
     RunReport::Facts facts;
     facts.version = request_.version;
     facts.command_line = request_.command_line;
@@ -200,17 +204,22 @@ class SequenceRun {
     facts.max_frames = request_.num_frames;
     if (frame_) facts.T_frame_reference = frame_->T_output_reference();
     facts.interrupted = status == RunStatus::kInterrupted;
-    facts.error = run_error.empty() && !ok ? *error : run_error;
+    facts.error = run_error.empty() ? no_scores : run_error;
     facts.wall_seconds = wall_time_.Milliseconds() / 1000.0;
-    keep_first(writer_.WriteText("run.json", report_.ToJson(config_, facts), &file_error));
-    return ok;
+    if (!writer_.WriteText("run.json", report_.ToJson(config_, facts), error) ||
+        !writer_.Publish(error)) {
+      return false;
+    }
+    *error = no_scores;
+    return no_scores.empty();
   }
 
-  // Of the trajectory as it was written, so that radive_evaluate gives the same.
-  bool WriteScores(RunStatus status, std::string* error) {
+  // The text of scores.json, of the trajectory as it was written, so that radive_evaluate gives the
+  // same. Empty, with the reason, when there are none.
+  std::string Scores(RunStatus status, std::string* error) {
     auto trajectory =
-        ReadTrajectory(writer_.folder() / "trajectory_tum.txt", TrajectoryFormat::kTum, error);
-    if (!trajectory) return false;
+        ReadTrajectory(writer_.Partial("trajectory_tum.txt"), TrajectoryFormat::kTum, error);
+    if (!trajectory) return "";
     RunEstimate estimate;
     estimate.poses = *std::move(trajectory);
     estimate.start = request_.start;
@@ -220,18 +229,17 @@ class SequenceRun {
     const auto scores = ScoreEstimate(estimate, *reference_, config_.reference, &reason);
     if (!scores) {
       *error = request_.reference + ": no scores: " + reason;
-      return false;
+      return "";
     }
     scores_ = ScoresText(*scores, *reference_);
-    return writer_.WriteText(
-        "scores.json", ScoresJson(*scores, *reference_, request_.reference), error);
+    return ScoresJson(*scores, *reference_, request_.reference);
   }
 
   const RunConfig& config_;
   const RunRequest& request_;
   const Stopwatch wall_time_;
   ScanSource* const stored_;
-  DopplerSignSource signed_source_;
+  DopplerCheckedSource checked_source_;
   ScanSource* const source_;
   Odometry odometry_;
   std::optional<OutputFrame> frame_;  // from the first scan on
@@ -242,7 +250,7 @@ class SequenceRun {
   RunReport report_;
   Plausibility plausibility_;
   Progress progress_;
-  bool has_told_sign_ = false;
+  bool has_failed_to_write_ = false;
 };
 
 }  // namespace

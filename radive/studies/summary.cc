@@ -118,7 +118,7 @@ SummaryRow RowOf(const std::string& variant,
   return row;
 }
 
-std::string Cell(const std::optional<double>& value) {
+std::string NumberCell(const std::optional<double>& value) {
   return value ? FormatText("%.9g", *value) : "";
 }
 
@@ -192,7 +192,7 @@ std::string SummaryCsv(const std::vector<SummaryRow>& rows) {
     text += row.variant + "," + row.sequence + "," + row.metric + "," + std::to_string(row.runs) +
             "," + std::to_string(row.ok);
     for (const auto& value : {row.median, row.q25, row.q75, row.min, row.max}) {
-      text += "," + Cell(value);
+      text += "," + NumberCell(value);
     }
     text += "," + std::to_string(row.pairs);
     for (const auto& value : {row.difference.value,
@@ -203,7 +203,7 @@ std::string SummaryCsv(const std::vector<SummaryRow>& rows) {
                               row.ratio.high,
                               row.ratio_over_drives.low,
                               row.ratio_over_drives.high}) {
-      text += "," + Cell(value);
+      text += "," + NumberCell(value);
     }
     text += "\n";
   }

@@ -17,6 +17,14 @@ inline std::string ReplaceAll(std::string text, const std::string& what, const s
   return text;
 }
 
+inline bool StartsWith(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+inline bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
 // The beginning of `text` as a message may show it: cut, and without control characters.
 inline std::string Excerpt(std::string_view text, std::size_t longest = 60) {
   std::string excerpt(text.substr(0, longest));

@@ -326,8 +326,8 @@ TEST(Odometry, ChoosesTheGaussiansThatSuitTheScans) {
   const StreetDrive drive;
   for (const bool is_dense : {false, true}) {
     OdometryOptions options = Options();
-    options.ndt.representation = is_dense ? NdtOptions::Representation::kVoxel
-                                          : NdtOptions::Representation::kPoint;
+    options.ndt.representation =
+        is_dense ? NdtOptions::Representation::kVoxel : NdtOptions::Representation::kPoint;
     Odometry set(options);
     options.ndt.representation = NdtOptions::Representation::kAuto;
     Odometry automatic(options);

@@ -11,6 +11,7 @@
 #include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -41,9 +42,9 @@ bool IsPointCloud(const MessageTopic& topic) {
 
 // The topic that `wanted` names, or the only one with point clouds. Nothing, with the topics in
 // `error`, when there is none, or several.
-std::optional<int> ChooseTopic(const std::vector<MessageTopic>& topics,
-                               const std::string& wanted,
-                               std::string* error) {
+std::optional<int> ChooseScanTopic(const std::vector<MessageTopic>& topics,
+                                   const std::string& wanted,
+                                   std::string* error) {
   const std::string expected = "expected sensor_msgs PointCloud2 or PointCloud";
   std::vector<int> found;
   std::vector<MessageTopic> candidates;
@@ -132,7 +133,7 @@ std::unique_ptr<BagSource> BagSource::Create(std::unique_ptr<MessageSource> bag,
                                              const InputOptions& options,
                                              std::string* error) {
   std::string reason;
-  const std::optional<int> topic = ChooseTopic(bag->topics(), options.topic, &reason);
+  const std::optional<int> topic = ChooseScanTopic(bag->topics(), options.topic, &reason);
   if (!topic) {
     *error = place + ": " + reason;
     for (const std::string& warning : bag->TakeWarnings()) *error += "; " + warning;
@@ -280,7 +281,12 @@ void BagSource::ChooseStamps() {
       stamp_origin_ = StampOrigin::kHeader;
     }
   }
+  if (status_after_held_back_ == Status::kError && !has_read_) held_back_.clear();
   if (held_back_.empty()) return;
+  if (stamp_origin_ == StampOrigin::kHeader && !HeadersRunAsRecorded()) {
+    stamp_origin_ = StampOrigin::kRecord;
+    return;
+  }
   const std::int64_t stamp_ns = held_back_.front().header_ns;
   if (held_back_.size() == 1 && stamp_ns != 0) stamp_origin_ = StampOrigin::kHeader;
   if (stamp_origin_ != StampOrigin::kRecord) return;
@@ -294,6 +300,38 @@ void BagSource::ChooseStamps() {
                       (has_triggers ? "stamps of the triggers " + TriggerName()
                                     : std::string("times of recording")) +
                       " are taken instead");
+}
+
+// False, with a warning, when the header stamps say a rate that no radar has, and the times of
+// recording one that it has. Reads some messages more where the first two look like that.
+bool BagSource::HeadersRunAsRecorded() {
+  const auto is_plausible = [](double interval) { return interval >= 0.004 && interval <= 2.5; };
+  const auto seconds = [](std::int64_t end_ns, std::int64_t begin_ns) {
+    return 1e-9 * (static_cast<double>(end_ns) - static_cast<double>(begin_ns));
+  };
+  const auto interval = [&](std::int64_t Stamped::*time_ns) {
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < held_back_.size(); ++i) {
+      intervals.push_back(seconds(held_back_[i].*time_ns, held_back_[i - 1].*time_ns));
+    }
+    std::sort(intervals.begin(), intervals.end());
+    return intervals.empty() ? 0.1 : intervals[intervals.size() / 2];
+  };
+  if (is_plausible(interval(&Stamped::header_ns))) return true;
+  while (held_back_.size() < kMessagesLookedAt && status_after_held_back_ == Status::kScan) {
+    Stamped stamped;
+    status_after_held_back_ = ReadMessage(/*needs_returns=*/true, &stamped);
+    if (status_after_held_back_ == Status::kScan) held_back_.push_back(std::move(stamped));
+  }
+  const double by_header = interval(&Stamped::header_ns);
+  const double by_record = interval(&Stamped::record_ns);
+  const bool is_regular = held_back_.size() == kMessagesLookedAt && by_header > 0.0;
+  if (!is_regular || is_plausible(by_header) || !is_plausible(by_record)) return true;
+  warnings_.push_back(
+      place_ + ": the header stamps of " + topic().name +
+      FormatText(" are %.4g s apart, but were recorded %.4g s apart", by_header, by_record) +
+      "; the times of recording are taken instead");
+  return false;
 }
 
 bool BagSource::SetStamp(const Stamped& stamped, RadarScan* scan) {

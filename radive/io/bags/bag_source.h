@@ -72,6 +72,7 @@ class BagSource : public ScanSource {
   Status ReadReturns(const Message& message, RadarScan* scan);
   Status FailUnreadable();
   void ChooseStamps();
+  bool HeadersRunAsRecorded();
   // False for a scan that comes before the first trigger.
   bool SetStamp(const Stamped& stamped, RadarScan* scan);
   const std::string& TriggerName() const;

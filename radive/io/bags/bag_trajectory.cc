@@ -85,9 +85,9 @@ bool ReadFix(RosMessageReader* reader, PoseMessage* message) {
   return std::abs(latitude) <= 90.0 || !message->has_fix;
 }
 
-std::optional<int> ChooseTopic(const std::vector<MessageTopic>& topics,
-                               const std::string& wanted,
-                               std::string* error) {
+std::optional<int> ChoosePoseTopic(const std::vector<MessageTopic>& topics,
+                                   const std::string& wanted,
+                                   std::string* error) {
   std::string names;
   std::vector<int> found;
   for (std::size_t i = 0; i < topics.size(); ++i) {
@@ -149,7 +149,7 @@ std::optional<BagTrajectory> ReadBagTrajectory(std::unique_ptr<MessageSource> ba
                                                const std::string& wanted_topic,
                                                std::string* error) {
   std::string reason;
-  const std::optional<int> chosen = ChooseTopic(bag->topics(), wanted_topic, &reason);
+  const std::optional<int> chosen = ChoosePoseTopic(bag->topics(), wanted_topic, &reason);
   if (!chosen) {
     *error = place + ": " + reason;
     return std::nullopt;

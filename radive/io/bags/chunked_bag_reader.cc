@@ -12,11 +12,10 @@
 
 #include "radive/io/bags/record_clock.h"
 #include "radive/io/bytes/checksum.h"
+#include "radive/io/bytes/random_access_file.h"
 
 namespace radive {
 namespace {
-
-std::string AtByte(std::uint64_t position) { return "at byte " + std::to_string(position); }
 
 // Whether the wanted ones of the messages at these offsets are at least half of the bytes of a
 // chunk: each reaches up to the next.

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kRowSize = 20;
 
 // "radar1, radar3"
-std::string NamesOf(const std::vector<int>& radars) {
+std::string FoldersOf(const std::vector<int>& radars) {
   std::string names;
   for (const int k : radars) names += (names.empty() ? "radar" : ", radar") + std::to_string(k);
   return names.empty() ? "none" : names;
@@ -112,8 +112,9 @@ std::unique_ptr<ScanSource> RadarScenesSource::Open(const fs::path& path,
   source->table_path_ = folder / (name + "_scans.csv");
   std::error_code ignored;
   if (!fs::exists(source->table_path_, ignored)) {
-    *error = source->table_path_.string() + ": does not exist, expected the scans of " + name +
-             " (input.radar); radars found in the folder: " + NamesOf(RadarsOfRadarScenes(folder));
+    *error =
+        source->table_path_.string() + ": does not exist, expected the scans of " + name +
+        " (input.radar); radars found in the folder: " + FoldersOf(RadarsOfRadarScenes(folder));
     return nullptr;
   }
   if (!source->ReadTable(error)) return nullptr;

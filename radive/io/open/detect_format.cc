@@ -18,6 +18,7 @@
 #include "radive/io/datasets/raflow_source.h"
 #include "radive/io/points/raw_evidence.h"
 #include "radive/io/scans/scan_folder.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
@@ -36,7 +37,7 @@ struct FolderForm {
 };
 
 // In this order; those that also know the names of folders below the drive come first.
-constexpr FolderForm kForms[] = {
+constexpr FolderForm kFolderForms[] = {
     {"HeRCULES Continental", "Radar/Continental", ".bin", "", Format::kHercules, ""},
     {"HeRCULES Continental", "Continental", ".bin", "", Format::kHercules, ""},
     {"HeRCULES Aeva", "LiDAR/Aeva", ".bin", "", Format::kRaw, "aeva"},
@@ -76,14 +77,6 @@ std::string FirstBytes(const fs::path& path) {
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
   std::fclose(file);
   return bytes;
-}
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
-bool StartsWith(std::string_view text, std::string_view start) {
-  return text.substr(0, start.size()) == start;
 }
 
 Format FormatOf(BagFormat format) {
@@ -220,11 +213,11 @@ class Detection {
     const std::unique_ptr<MessageSource> source =
         OpenMessageSource(path_, format, MessageLimits(), &ignored);
     const bool has_clouds =
-        source != nullptr && std::any_of(source->topics().begin(),
-                                         source->topics().end(),
-                                         [](const MessageTopic& topic) {
-                                           return PointCloudTypeOf(topic) != PointCloudType::kNone;
-                                         });
+        source != nullptr &&
+        std::any_of(
+            source->topics().begin(), source->topics().end(), [](const MessageTopic& topic) {
+              return PointCloudTypeOf(topic) != PointCloudType::kNone;
+            });
     if (has_clouds) {
       *reason_ = "; not read are the scans beside it (" + reason + "), see input.format";
       return false;
@@ -262,7 +255,7 @@ class Detection {
   bool KnownFolder(bool* is_ambiguous) {
     const FolderForm* found = nullptr;
     fs::path place;
-    for (const FolderForm& form : kForms) {
+    for (const FolderForm& form : kFolderForms) {
       std::error_code ignored;
       if (*form.sibling != '\0' && !fs::exists(path_ / form.sibling, ignored)) continue;
       const fs::path here = IsItself(form) ? path_ : path_ / form.folder;
@@ -316,7 +309,7 @@ class Detection {
       if (it.depth() >= 4) it.disable_recursion_pending();
       if (!it->is_directory(ignored)) continue;
       if (it->path().filename() == "Continental" && !Files(it->path(), ".bin").empty()) {
-        return TakeForm(kForms[0], "*.bin in " + it->path().string());
+        return TakeForm(kFolderForms[0], "*.bin in " + it->path().string());
       }
     }
     return false;

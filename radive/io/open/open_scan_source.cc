@@ -25,11 +25,12 @@
 namespace radive {
 namespace {
 
+using Format = InputOptions::Format;
+
 // The drive as stored, apart from its axes.
 std::unique_ptr<ScanSource> OpenStored(const std::string& path,
                                        const InputOptions& options,
                                        std::string* error) {
-  using Format = InputOptions::Format;
   switch (options.format) {
     case Format::kRaw:
       return OpenRawSource(path, options, error);

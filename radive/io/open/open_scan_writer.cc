@@ -31,7 +31,7 @@ struct FileForm {
 
 using Returns = std::vector<RadarReturn>;
 
-const FileForm kForms[] = {
+const FileForm kFileForms[] = {
     {"raw", "radar", ".bin", Naming::kNumber6, true, RawBytes},
     {"pcd_ascii",
      "radar",
@@ -103,11 +103,11 @@ class PointFileWriter : public ScanWriter {
   bool Add(const RadarScan& scan, std::string* error) override {
     const std::string name = NameOf(form_.naming, number_++, scan.stamp_ns) + form_.extension;
     times_ += std::to_string(scan.stamp_ns) + "\n";
-    return WriteWholeFile(folder_ / form_.folder / name, form_.bytes(scan.returns), error);
+    return WriteFile(folder_ / form_.folder / name, form_.bytes(scan.returns), error);
   }
 
   bool Finish(std::string* error) override {
-    return !form_.has_times || WriteWholeFile(folder_ / "times.txt", times_, error);
+    return !form_.has_times || WriteFile(folder_ / "times.txt", times_, error);
   }
 
  private:
@@ -122,7 +122,7 @@ class PointFileWriter : public ScanWriter {
 const std::vector<std::string>& ScanWriterNames() {
   static const std::vector<std::string>* const names = [] {
     auto* const list = new std::vector<std::string>();
-    for (const FileForm& form : kForms) list->emplace_back(form.name);
+    for (const FileForm& form : kFileForms) list->emplace_back(form.name);
     const std::vector<std::string>& bags = BagScanWriterNames();
     list->insert(list->end(), bags.begin(), bags.end());
     return list;
@@ -133,7 +133,7 @@ const std::vector<std::string>& ScanWriterNames() {
 std::unique_ptr<ScanWriter> OpenScanWriter(const std::string& format,
                                            const fs::path& folder,
                                            std::string* error) {
-  for (const FileForm& form : kForms) {
+  for (const FileForm& form : kFileForms) {
     if (format != form.name) continue;
     std::error_code failure;
     fs::create_directories(folder / form.folder, failure);

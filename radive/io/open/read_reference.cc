@@ -26,43 +26,40 @@
 #include "radive/io/trajectories/pose_table.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/io/trajectories/trajectory_io.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-using Format = ReferenceOptions::Format;
+using ReferenceFormat = ReferenceOptions::Format;
 
 // Where the datasets put their ground truth, below the folder of the drive.
 constexpr struct {
   const char* file;
-  Format format;
+  ReferenceFormat format;
 } kKnownFiles[] = {
-    {"gt_odom.txt", Format::kTum},
-    {"PR_GT/Continental_gt.txt", Format::kTum},
-    {"PR_GT/Aeva_gt.txt", Format::kTum},
-    {"ref_tls_T_xt32.csv", Format::kTable},
-    {"utm50r_T_xt32.txt", Format::kTum},
-    {"ref_poses.txt", Format::kDicp},
-    {"applanix/aeva_poses.csv", Format::kBoreas},
-    {"groundtruth/groundtruth_poses.txt", Format::kColoRadar},
-    {"groundtruth_poses.txt", Format::kColoRadar},
-    {"gt_poses_kitti.txt", Format::kKitti},
+    {"gt_odom.txt", ReferenceFormat::kTum},
+    {"PR_GT/Continental_gt.txt", ReferenceFormat::kTum},
+    {"PR_GT/Aeva_gt.txt", ReferenceFormat::kTum},
+    {"ref_tls_T_xt32.csv", ReferenceFormat::kTable},
+    {"utm50r_T_xt32.txt", ReferenceFormat::kTum},
+    {"ref_poses.txt", ReferenceFormat::kDicp},
+    {"applanix/aeva_poses.csv", ReferenceFormat::kBoreas},
+    {"groundtruth/groundtruth_poses.txt", ReferenceFormat::kColoRadar},
+    {"groundtruth_poses.txt", ReferenceFormat::kColoRadar},
+    {"gt_poses_kitti.txt", ReferenceFormat::kKitti},
 };
 
-const std::string& NameOf(Format format) {
+const std::string& NameOf(ReferenceFormat format) {
   return ReferenceFormatNames()[static_cast<std::size_t>(format)];
 }
 
 // A file or folder, and how it is to be read.
 struct Found {
   fs::path path;
-  Format format = Format::kAuto;
+  ReferenceFormat format = ReferenceFormat::kAuto;
 };
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
 
 std::vector<std::string> Files(const fs::path& folder, const char* extension) {
   std::vector<std::string> names;
@@ -105,7 +102,7 @@ bool AreEurocColumns(const PoseColumns& columns, bool has_names) {
 
 // By the names of the columns or, without them, by their numbers. Files of the common forms are
 // read as such: they allow no other columns.
-std::optional<Format> FormatOfColumns(const fs::path& file, std::string* error) {
+std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string* error) {
   std::string text;
   if (!ReadWholeFile(file, &text, error)) return std::nullopt;
   TextLines lines(text);
@@ -127,21 +124,21 @@ std::optional<Format> FormatOfColumns(const fs::path& file, std::string* error) 
   const bool has_euroc_form = words.size() >= 8 && words.size() != 12 &&
                               line.find(',') != line.npos && LooksLikeNanoseconds(words[0]);
   const bool is_matrix = columns && columns->matrix[0] >= 0;
-  if (has_euroc_form && !is_matrix &&
-      AreEurocColumns(columns.value_or(PoseColumns()), has_names)) {
-    return Format::kEuroc;
+  if (has_euroc_form && !is_matrix && AreEurocColumns(columns.value_or(PoseColumns()), has_names)) {
+    return ReferenceFormat::kEuroc;
   }
   if (!columns) {
     *error = reason;
     return std::nullopt;
   }
   const bool is_plain = columns->delimiter == '\0';
-  if (is_plain && words.size() == 8 && AreTumColumns(*columns)) return Format::kTum;
-  if (is_plain && words.size() == 12 && AreKittiColumns(*columns)) return Format::kKitti;
-  return Format::kTable;
+  if (is_plain && words.size() == 8 && AreTumColumns(*columns)) return ReferenceFormat::kTum;
+  if (is_plain && words.size() == 12 && AreKittiColumns(*columns)) return ReferenceFormat::kKitti;
+  return ReferenceFormat::kTable;
 }
 
-// Whether the first line has names of columns that FindPoseColumns() knows; those of Boreas are not.
+// Whether the first line has names of columns that FindPoseColumns() knows; those of Boreas are
+// not.
 bool NamesTell(const fs::path& file) {
   std::string text, ignored;
   if (!ReadWholeFile(file, &text, &ignored)) return false;
@@ -153,14 +150,15 @@ bool NamesTell(const fs::path& file) {
 std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
   const std::string name = file.filename().string();
   std::int64_t sequence, sample;
-  if (IsBag(file)) return Found{file, Format::kBag};
+  if (IsBag(file)) return Found{file, ReferenceFormat::kBag};
   if (EndsWith(name, "_scans.csv") || file.extension() == ".h5")
-    return Found{file, Format::kRadarScenes};
-  if (EndsWith(name, "_poses.csv") && !NamesTell(file)) return Found{file, Format::kBoreas};
-  if (name == "ref_poses.txt") return Found{file, Format::kDicp};
-  if (name == "groundtruth_poses.txt") return Found{file, Format::kColoRadar};
-  if (ParseRaFlowName(name, &sequence, &sample)) return Found{file, Format::kRaFlow};
-  const std::optional<Format> format = FormatOfColumns(file, error);
+    return Found{file, ReferenceFormat::kRadarScenes};
+  if (EndsWith(name, "_poses.csv") && !NamesTell(file))
+    return Found{file, ReferenceFormat::kBoreas};
+  if (name == "ref_poses.txt") return Found{file, ReferenceFormat::kDicp};
+  if (name == "groundtruth_poses.txt") return Found{file, ReferenceFormat::kColoRadar};
+  if (ParseRaFlowName(name, &sequence, &sample)) return Found{file, ReferenceFormat::kRaFlow};
+  const std::optional<ReferenceFormat> format = FormatOfColumns(file, error);
   if (!format) return std::nullopt;
   return Found{file, *format};
 }
@@ -181,11 +179,11 @@ std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
       found.push_back({folder / known.file, known.format});
   }
   if (!Files(folder, "_scans.csv").empty() || FindRadarScenesHdf5(folder))
-    found.push_back({folder, Format::kRadarScenes});
-  if (HoldsRaFlow(folder)) found.push_back({folder, Format::kRaFlow});
-  if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, Format::kVod});
+    found.push_back({folder, ReferenceFormat::kRadarScenes});
+  if (HoldsRaFlow(folder)) found.push_back({folder, ReferenceFormat::kRaFlow});
+  if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, ReferenceFormat::kVod});
   // A bag is the ground truth only where there is nothing better.
-  if (found.empty() && FormOfBags(folder)) found.push_back({folder, Format::kBag});
+  if (found.empty() && FormOfBags(folder)) found.push_back({folder, ReferenceFormat::kBag});
   if (found.size() == 1) return found.front();
   if (found.empty()) {
     *error = folder.string() +
@@ -199,17 +197,17 @@ std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
   return std::nullopt;
 }
 
-std::optional<Found> Detect(const fs::path& path, Format format, std::string* error) {
+std::optional<Found> Detect(const fs::path& path, ReferenceFormat format, std::string* error) {
   std::error_code failure;
   if (!fs::exists(path, failure)) {
     *error = path.string() + ": cannot be opened; expected ground truth, a file or a folder";
     return std::nullopt;
   }
-  if (format == Format::kVod) {
+  if (format == ReferenceFormat::kVod) {
     if (const auto poses = FindVodPoses(path)) return Found{*poses, format};
     return Found{path, format};
   }
-  if (format != Format::kAuto) return Found{path, format};
+  if (format != ReferenceFormat::kAuto) return Found{path, format};
   return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
 }
 
@@ -351,29 +349,29 @@ bool Read(const Found& found,
           Reference* reference,
           std::string* error) {
   switch (found.format) {
-    case Format::kTum:
+    case ReferenceFormat::kTum:
       return ReadText(found.path, TrajectoryFormat::kTum, reference, error);
-    case Format::kKitti:
+    case ReferenceFormat::kKitti:
       return ReadText(found.path, TrajectoryFormat::kKitti, reference, error);
-    case Format::kEuroc:
+    case ReferenceFormat::kEuroc:
       return ReadText(found.path, TrajectoryFormat::kEuroc, reference, error);
-    case Format::kTable:
+    case ReferenceFormat::kTable:
       return ReadTable(found.path, std::nullopt, reference, error);
-    case Format::kBoreas:
+    case ReferenceFormat::kBoreas:
       return ReadTable(found.path, BoreasColumns(), reference, error);
-    case Format::kDicp:
+    case ReferenceFormat::kDicp:
       return ReadDicp(found.path, reference, error);
-    case Format::kColoRadar:
+    case ReferenceFormat::kColoRadar:
       return ReadColoRadar(found.path, reference, error);
-    case Format::kRadarScenes:
+    case ReferenceFormat::kRadarScenes:
       return ReadRadarScenes(found.path, reference, error);
-    case Format::kVod:
+    case ReferenceFormat::kVod:
       return ReadPoses(ReadVodPoses(found.path, error), /*has_stamps=*/false, reference);
-    case Format::kRaFlow:
+    case ReferenceFormat::kRaFlow:
       return ReadPoses(ReadRaFlowPoses(found.path, clip, error), /*has_stamps=*/true, reference);
-    case Format::kBag:
+    case ReferenceFormat::kBag:
       return ReadBag(found.path, options.topic, reference, error);
-    case Format::kAuto:
+    case ReferenceFormat::kAuto:
       break;
   }
   return false;

@@ -99,8 +99,8 @@ bool ParseCsvPoints(std::string_view bytes,
   }
   if (num_left_out > 0) {
     remarks->push_back(std::to_string(num_left_out) + " lines do not have " +
-                       std::to_string(table->fields.size()) + " cells and are left out; the first: " +
-                       left_out);
+                       std::to_string(table->fields.size()) +
+                       " cells and are left out; the first: " + left_out);
   }
   table->data = table->owned.data();
   return JudgeWords(*table, words, remarks, error);

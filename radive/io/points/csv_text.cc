@@ -39,11 +39,12 @@ std::size_t EndOfCell(std::string_view line, char delimiter) {
 }
 
 bool IsNumbers(const std::vector<std::string_view>& cells) {
-  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
-    return ParseCell(cell) || IsMissing(cell);
-  }) && std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
-    return ParseCell(cell).has_value();
-  });
+  return std::all_of(cells.begin(),
+                     cells.end(),
+                     [](std::string_view cell) { return ParseCell(cell) || IsMissing(cell); }) &&
+         std::any_of(cells.begin(), cells.end(), [](std::string_view cell) {
+           return ParseCell(cell).has_value();
+         });
 }
 
 // True for cells with numbers and words (a label) that are as many as the names in a comment.

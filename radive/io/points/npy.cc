@@ -14,7 +14,6 @@ namespace radive {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
-constexpr std::uint64_t kMostColumns = 1000;
 
 struct NpyHeader {
   NumericType type = NumericType::kFloat32;
@@ -81,7 +80,8 @@ bool ReadHeader(std::string_view* bytes, NpyHeader* header, std::string* error) 
   const std::size_t size_bytes = bytes->size() > 6 && (*bytes)[6] == 1 ? 2 : 4;
   if (bytes->substr(0, kMagic.size()) != kMagic || bytes->size() < 8 + size_bytes) {
     *error = "expected a NumPy array, which starts with \\x93NUMPY";
-    if (bytes->substr(0, 4) == "PK\x03\x04") *error += "; a zip archive (npz) holds arrays in files";
+    if (bytes->substr(0, 4) == "PK\x03\x04")
+      *error += "; a zip archive (npz) holds arrays in files";
     return false;
   }
   const std::size_t size = size_bytes == 2 ? ReadUnsigned<std::uint16_t>(bytes->data() + 8, false)

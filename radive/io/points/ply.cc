@@ -36,24 +36,15 @@ struct PlyHeader {
 
 std::optional<NumericType> TypeOfName(std::string_view name) {
   constexpr std::pair<std::string_view, NumericType> kNames[] = {
-      {"float", NumericType::kFloat32},
-      {"float32", NumericType::kFloat32},
-      {"double", NumericType::kFloat64},
-      {"float64", NumericType::kFloat64},
-      {"bool", NumericType::kUint8},
-      {"char", NumericType::kInt8},
-      {"int8", NumericType::kInt8},
-      {"uchar", NumericType::kUint8},
-      {"uint8", NumericType::kUint8},
-      {"short", NumericType::kInt16},
-      {"int16", NumericType::kInt16},
-      {"ushort", NumericType::kUint16},
-      {"uint16", NumericType::kUint16},
-      {"int", NumericType::kInt32},
-      {"int32", NumericType::kInt32},
-      {"uint", NumericType::kUint32},
-      {"uint32", NumericType::kUint32},
-      {"int64", NumericType::kInt64},
+      {"float", NumericType::kFloat32},  {"float32", NumericType::kFloat32},
+      {"double", NumericType::kFloat64}, {"float64", NumericType::kFloat64},
+      {"bool", NumericType::kUint8},     {"char", NumericType::kInt8},
+      {"int8", NumericType::kInt8},      {"uchar", NumericType::kUint8},
+      {"uint8", NumericType::kUint8},    {"short", NumericType::kInt16},
+      {"int16", NumericType::kInt16},    {"ushort", NumericType::kUint16},
+      {"uint16", NumericType::kUint16},  {"int", NumericType::kInt32},
+      {"int32", NumericType::kInt32},    {"uint", NumericType::kUint32},
+      {"uint32", NumericType::kUint32},  {"int64", NumericType::kInt64},
       {"uint64", NumericType::kUint64},
   };
   const std::string lower_case = LowerCase(name);
@@ -116,8 +107,8 @@ bool ReadHeader(std::string_view bytes, PlyHeader* header, std::string* error) {
     std::string_view rest = line;
     bool is_last = false;
     const bool is_good =
-        end != std::string_view::npos &&
-        (number == 1 ? LowerCase(TakeWord(&rest)) == "ply" : ReadHeaderLine(line, header, &is_last));
+        end != std::string_view::npos && (number == 1 ? LowerCase(TakeWord(&rest)) == "ply"
+                                                      : ReadHeaderLine(line, header, &is_last));
     if (!is_good) {
       *error = "line " + std::to_string(number) + ": expected " +
                (number == 1 ? "'ply'"

@@ -16,6 +16,7 @@
 #include "radive/io/scans/stamp_names.h"
 #include "radive/util/natural_order.h"
 #include "radive/util/number_text.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
@@ -25,10 +26,6 @@ namespace fs = std::filesystem;
 constexpr int kDeepestSearch = 6;
 
 std::string_view Stem(std::string_view name) { return name.substr(0, name.rfind('.')); }
-
-bool EndsWith(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
 
 bool IsDigits(std::string_view text) {
   return text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -153,9 +150,8 @@ fs::path FindStampFile(const fs::path& root, const fs::path& folder) {
 }
 
 std::string RateText(double rate) {
-  return FormatText("%g scans per second are %s",
-                rate > 0.0 ? rate : kAssumedRate,
-                rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
+  return FormatText("%g scans per second are ", rate > 0.0 ? rate : kAssumedRate) +
+         (rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
 }
 
 // "times.txt", with the unit where it is not the usual one.
@@ -279,10 +275,9 @@ bool FindStamps(const fs::path& root,
   for (const double position : PositionsOf(folder)) {
     folder->stamps_ns.push_back(StampAt(position, query.rate));
   }
-  folder->stamp_origin =
-      FormatText("%g Hz", query.rate > 0.0 ? query.rate : kAssumedRate);
+  folder->stamp_origin = FormatText("%g Hz", query.rate > 0.0 ? query.rate : kAssumedRate);
   folder->stamps_are_positions = true;
-  if (!(query.rate > 0.0)) {
+  if (!(query.rate > 0.0) && folder->names.size() > 1) {
     folder->stamp_doubt = folder->path.string() + ": the scans have no stamps; " + RateText(0.0);
   }
   return true;
@@ -363,7 +358,8 @@ std::optional<ScanFolder> OpenScanFolder(const fs::path& root,
                                          std::string* error) {
   ScanFolder folder;
   std::error_code ignored;
-  if (fs::is_regular_file(root, ignored) && EndsWith(LowerCase(root.filename().string()), query.extension)) {
+  if (fs::is_regular_file(root, ignored) &&
+      EndsWith(LowerCase(root.filename().string()), query.extension)) {
     folder = OneScan(root);
     if (!CheckIsFetched(folder, error)) return std::nullopt;
     return folder;

@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <system_error>
 
-#include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {

@@ -9,8 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
-#include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/stamp_text.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {

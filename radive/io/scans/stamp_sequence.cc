@@ -9,7 +9,6 @@
 #include <ctime>
 #include <utility>
 
-#include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/util/number_text.h"
 
@@ -32,12 +31,14 @@ constexpr double kMargin = 2.5;
 // The date of a stamp [s since 1970]: 1973 to 2286.
 constexpr double kFirstDate = 1e8;
 constexpr double kLastDate = 1e10;
+// Longest interval that a unit may lead to [s].
+constexpr double kLongestPause = 86400.0;
 // Largest step between the numbers of scans in a row: a camera at 30 Hz beside a radar at 1 Hz.
 constexpr double kLargestCounterStep = 30.0;
+// Stands for stamps beyond 292 years [ns].
+constexpr std::int64_t kFarthest = 9'200'000'000'000'000'000;
 // Share of the neighbours with one stamp above which precision was lost [-].
 constexpr double kLostPrecision = 0.2;
-
-std::string Number(double value) { return FormatText("%.4g", value); }
 
 double Median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -51,11 +52,11 @@ bool IsWithin(double value, double least, double most) { return value >= least &
 // What the numbers of a sequence have in common, whatever their unit.
 struct Numbers {
   std::vector<double> values;
-  bool are_whole = true;    // no decimal point, no exponent
-  double median = 0.0;      // value
-  double step = 0.0;        // median of those above 0; 0: there is none
-  double even_share = 0.0;  // share of the steps that are the median step
-  double repeat_share = 0.0;
+  bool are_whole = true;      // no decimal point, no exponent
+  double median = 0.0;        // value
+  double step = 0.0;          // median of those above 0; 0: there is none
+  double even_share = 0.0;    // share of the steps that are the median step
+  double repeat_share = 0.0;  // 0 for a single pair
 };
 
 Numbers Describe(std::vector<double> values, bool are_whole) {
@@ -71,7 +72,7 @@ Numbers Describe(std::vector<double> values, bool are_whole) {
   }
   numbers.step = Median(steps);
   const double num_steps = std::max(1.0, static_cast<double>(values.size()) - 1.0);
-  numbers.repeat_share = static_cast<double>(num_repeats) / num_steps;
+  if (num_repeats > 1) numbers.repeat_share = static_cast<double>(num_repeats) / num_steps;
   numbers.even_share =
       static_cast<double>(std::count_if(
           steps.begin(), steps.end(), [&](double step) { return step == numbers.step; })) /
@@ -98,10 +99,14 @@ Choice ChooseUnit(const Numbers& numbers) {
     const double margin = i == by_default ? kMargin : 1.0;
     Choice choice;
     choice.unit = i;
-    choice.has_date = IsWithin(numbers.median * scale, kFirstDate, kLastDate);
+    choice.has_date = IsWithin(numbers.median * scale, kFirstDate, kLastDate) &&
+                      numbers.step * scale <= kLongestPause;
     choice.has_interval = IsWithin(
         numbers.step * scale, kShortestInterval / margin * (1.0 - 1e-9), kLongestInterval * margin);
-    const int score = (choice.has_date ? 1 : 0) + (choice.has_interval ? 2 : 0);
+    // Between stamps that repeat there are no intervals of scans.
+    const bool is_interval = numbers.repeat_share <= kLostPrecision;
+    const int score = (choice.has_date ? (is_interval ? 1 : 2) : 0) +
+                      (choice.has_interval ? (is_interval ? 2 : 1) : 0);
     if (score <= best_score) continue;
     best = choice;
     best_score = score;
@@ -258,8 +263,9 @@ std::optional<StampSequence> ReadStampSequence(const std::vector<std::string_vie
   sequence.unit = unit.name;
   for (*bad = 0; *bad < texts.size(); ++*bad) {
     const std::optional<std::int64_t> stamp = ParseStamp(texts[*bad], unit.exponent);
-    if (!stamp) return std::nullopt;
-    sequence.stamps_ns.push_back(*stamp);
+    // Beyond the range of stamps it is one of the bad ones that drives have.
+    const std::int64_t farthest = numbers.values[*bad] < 0.0 ? -kFarthest : kFarthest;
+    sequence.stamps_ns.push_back(stamp.value_or(farthest));
   }
   if (numbers.repeat_share > kLostPrecision) {
     if (SpreadRepeats(&sequence.stamps_ns)) {
@@ -277,7 +283,8 @@ std::optional<StampSequence> ReadStampSequence(const std::vector<std::string_vie
     }
   } else if (numbers.step > 0.0 && !choice.has_interval) {
     const double interval = numbers.step * std::pow(10.0, unit.exponent);
-    sequence.doubt = "read as " + sequence.unit + " the stamps lie " + Number(interval) +
+    sequence.doubt = "read as " + sequence.unit + " the stamps lie " +
+                     FormatText("%.4g", interval) +
                      " s apart, and no other unit fits a radar better";
   }
   return sequence;

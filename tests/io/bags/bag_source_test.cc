@@ -172,6 +172,18 @@ TEST(BagSource, TakesTheTimesOfRecordingWhereHeadersHaveNone) {
             std::vector<std::int64_t>{100 * kSecond});
 }
 
+// Microseconds where nanoseconds belong: 1 kHz, but recorded with 1 Hz.
+TEST(BagSource, TakesTheTimesOfRecordingWhereHeadersHaveAnotherUnit) {
+  std::vector<std::int64_t> stamps;
+  for (int i = 0; i < 10; ++i) stamps.push_back(7 * kSecond + i * kSecond / 1000);
+  const auto source = OpenFake(BagWithStamps(stamps));
+  const auto scans = testing::ReadAll(source.get());
+  ASSERT_EQ(scans.size(), 10u);
+  EXPECT_EQ(scans[1].stamp_ns, 101 * kSecond);
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre(HasSubstr("are 0.001 s apart, but were recorded 1 s apart")));
+}
+
 TEST(BagSource, HeaderStampsMayBeginAtZero) {
   const auto source = OpenFake(BagWithStamps({0, 100, 200}));
   EXPECT_THAT(testing::Stamps(testing::ReadAll(source.get())), ElementsAre(0, 100, 200));
