@@ -15,7 +15,9 @@
 namespace radive {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const MessageTopic kRos1Cloud2 = {"/a", "sensor_msgs/PointCloud2", "ros1", {}};
 const MessageTopic kCdrCloud2 = {"/a", "sensor_msgs/msg/PointCloud2", "cdr", {}};
@@ -80,16 +82,18 @@ Cloud2 FourFloats() {
 RadarScan Read(const std::string& payload, const MessageTopic& topic) {
   PointTable table;
   RadarScan scan;
+  std::vector<std::string> remarks;
   std::string error;
-  EXPECT_TRUE(ReadPointCloud(payload, topic, &table, &error)) << error;
+  EXPECT_TRUE(ReadPointCloud(payload, topic, &table, &remarks, &error)) << error;
   EXPECT_TRUE(PointConverter(InputOptions()).Convert(table, &scan, &error)) << error;
   return scan;
 }
 
 std::string ErrorOf(const std::string& payload, const MessageTopic& topic) {
   PointTable table;
+  std::vector<std::string> remarks;
   std::string error;
-  EXPECT_FALSE(ReadPointCloud(payload, topic, &table, &error));
+  EXPECT_FALSE(ReadPointCloud(payload, topic, &table, &remarks, &error));
   EXPECT_EQ(table.num_points, 0u);
   return error;
 }
@@ -184,26 +188,99 @@ TEST(PointCloud2, SlopsThatDriversMakeAreForgiven) {
   cloud = Cloud2();
   cloud.width = 0;
   PointTable table;
+  std::vector<std::string> remarks;
   std::string error;
-  EXPECT_TRUE(ReadPointCloud(cloud.Ros1(), kRos1Cloud2, &table, &error)) << error;
+  EXPECT_TRUE(ReadPointCloud(cloud.Ros1(), kRos1Cloud2, &table, &remarks, &error)) << error;
   EXPECT_EQ(table.num_points, 0u);
+}
+
+// The remarks on a message of four points in two rows of two, x = 1, 2, 3, 4; `num_points` are read.
+std::vector<std::string> RemarksOn(const Cloud2& cloud, const std::vector<double>& expected_x) {
+  PointTable table;
+  std::vector<std::string> remarks;
+  std::string error;
+  EXPECT_TRUE(ReadPointCloud(cloud.Ros1(), kRos1Cloud2, &table, &remarks, &error)) << error;
+  std::vector<double> x;
+  for (std::size_t i = 0; i < table.num_points; ++i) {
+    x.push_back(ReadNumber(table.data + i * table.stride, NumericType::kFloat32, false));
+  }
+  EXPECT_EQ(x, expected_x);
+  return remarks;
+}
+
+Cloud2 TwoRows() {
+  Cloud2 cloud;
+  cloud.Add("x", 0, 7);
+  cloud.Add("y", 4, 7);
+  cloud.width = cloud.height = 2;
+  cloud.point_step = 8;
+  cloud.row_step = 16;
+  cloud.data = F32(1) + F32(0) + F32(2) + F32(0) + F32(3) + F32(0) + F32(4) + F32(0);
+  return cloud;
+}
+
+// All drivers below write two rows of 16 bytes each, one behind the other.
+TEST(PointCloud2, AWrongRowStepIsReplacedByWhatFits) {
+  Cloud2 cloud = TwoRows();
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}), IsEmpty());
+  cloud.row_step = 0;
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}), IsEmpty()) << "not set is not wrong";
+  for (const std::uint32_t wrong : {2u, 8u, 24u, 32u, 0xFFFFFFFFu}) {
+    cloud.row_step = wrong;
+    EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}),
+                ElementsAre(HasSubstr("a row_step of " + std::to_string(wrong) +
+                                      " bytes does not fit 32 bytes of data for 2 rows of 2 "
+                                      "points; 16 bytes are taken")));
+  }
+  // Rows with 4 bytes behind them, and a row_step that forgets these.
+  cloud.data.insert(16, F32(9));
+  cloud.data += F32(9);
+  cloud.row_step = 20;
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}), IsEmpty());
+  cloud.row_step = 16;
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 9, 0}), IsEmpty()) << "fits: nothing says otherwise";
+  cloud.row_step = 2;
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}), ElementsAre(HasSubstr("20 bytes are taken")));
+}
+
+TEST(PointCloud2, DataOfAnotherLengthThanPromised) {
+  Cloud2 cloud = TwoRows();
+  cloud.data.resize(24);
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3}),
+              ElementsAre(HasSubstr("width and height promise 4 points, the data hold 3")));
+  cloud.row_step = 20;  // rows with gaps: only the first is whole
+  EXPECT_THAT(RemarksOn(cloud, {1, 2}), ElementsAre(HasSubstr("the data hold 2")));
+  cloud = TwoRows();
+  cloud.height = 0;
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}),
+              ElementsAre(HasSubstr("width and height promise 0 points, the data hold 4")));
+  cloud = TwoRows();
+  cloud.width = 4;
+  cloud.height = 1;
+  cloud.point_step = 4;  // of the first field
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}),
+              ElementsAre(HasSubstr("a point_step of 4 bytes, which is too short for the fields; "
+                                    "the data hold 8 bytes for each point")));
+}
+
+// Counts of points or bytes where the numbers of one point are meant.
+TEST(PointCloud2, ACountThatReachesBeyondTheRecordIsNamed) {
+  Cloud2 cloud = TwoRows();
+  cloud.num_fields = 0;
+  cloud.fields.clear();
+  cloud.Add("x", 0, 7, /*count=*/4);
+  cloud.Add("y", 4, 7, /*count=*/1);
+  EXPECT_THAT(RemarksOn(cloud, {1, 2, 3, 4}),
+              ElementsAre(HasSubstr("field 'x' has a count of 4, which reaches beyond the record "
+                                    "of 8 bytes; 1 is taken")));
 }
 
 TEST(PointCloud2, ContradictionsAreErrors) {
   Cloud2 cloud = FourFloats();
-  cloud.width = 2;
-  EXPECT_THAT(ErrorOf(cloud.Ros1(), kRos1Cloud2), HasSubstr("16 bytes of data for 1 rows of 32"));
-  cloud = FourFloats();
-  cloud.height = 2;
-  EXPECT_THAT(ErrorOf(cloud.Ros1(), kRos1Cloud2), HasSubstr("16 bytes of data for 2 rows of 16"));
-  cloud.row_step = 15;
-  EXPECT_THAT(ErrorOf(cloud.Ros1(), kRos1Cloud2), HasSubstr("row_step of 15 bytes for 1 points"));
-  cloud = FourFloats();
+  cloud.num_fields = 0;
+  cloud.fields.clear();
   cloud.point_step = 0;
   EXPECT_THAT(ErrorOf(cloud.Ros1(), kRos1Cloud2), HasSubstr("point_step of 0"));
-  cloud = FourFloats();
-  cloud.width = cloud.height = cloud.row_step = 0xFFFFFFFF;
-  EXPECT_THAT(ErrorOf(cloud.Ros1(), kRos1Cloud2), HasSubstr("row_step"));
   // A point of one byte is 40 in memory: a message may not hold any number of them.
   cloud = Cloud2();
   cloud.Add("x", 0, 2);
@@ -212,6 +289,9 @@ TEST(PointCloud2, ContradictionsAreErrors) {
   cloud.width = 5000000;
   cloud.data.assign(5000000, 'a');
   EXPECT_THAT(ErrorOf(cloud.Ros1(), kRos1Cloud2), HasSubstr("5000000 points, expected at most"));
+  cloud = FourFloats();
+  cloud.width = cloud.height = cloud.row_step = 0xFFFFFFFF;
+  EXPECT_THAT(RemarksOn(cloud, {1}), ElementsAre(HasSubstr("the data hold 1")));
 }
 
 TEST(PointCloud2, AFieldBeyondTheRecordIsRefused) {
@@ -219,8 +299,9 @@ TEST(PointCloud2, AFieldBeyondTheRecordIsRefused) {
   cloud.Add("power", 13, 7);
   PointTable table;
   RadarScan scan;
+  std::vector<std::string> remarks;
   std::string error;
-  EXPECT_TRUE(ReadPointCloud(cloud.Ros1(), kRos1Cloud2, &table, &error));
+  EXPECT_TRUE(ReadPointCloud(cloud.Ros1(), kRos1Cloud2, &table, &remarks, &error));
   EXPECT_FALSE(PointConverter(InputOptions()).Convert(table, &scan, &error));
   EXPECT_THAT(error, HasSubstr("'power'"));
 }
