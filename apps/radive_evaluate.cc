@@ -97,8 +97,8 @@ bool Run(std::string* error) {
   if (!radive::PrepareComparison(*estimate, &*reference, &poses, &options, error)) return false;
   auto result = radive::Evaluate(reference->poses, poses, options, error);
   if (!result) return false;
-  for (const std::vector<std::string>* of_file : {&estimate->warnings, &reference->warnings}) {
-    result->warnings.insert(result->warnings.begin(), of_file->begin(), of_file->end());
+  for (const auto& of_file : {estimate->warnings, reference->warnings}) {
+    result->warnings.insert(result->warnings.begin(), of_file.begin(), of_file.end());
   }
   for (const std::string& warning : result->warnings) {
     std::fprintf(stderr, "radive_evaluate: warning: %s\n", warning.c_str());

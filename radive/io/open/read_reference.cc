@@ -205,8 +205,7 @@ std::optional<Found> Detect(const fs::path& path, ReferenceFormat format, std::s
     return std::nullopt;
   }
   if (format == ReferenceFormat::kVod) {
-    if (const auto poses = FindVodPoses(path)) return Found{*poses, format};
-    return Found{path, format};
+    return Found{FindVodPoses(path).value_or(path), format};
   }
   if (format != ReferenceFormat::kAuto) return Found{path, format};
   return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
@@ -382,20 +381,18 @@ std::optional<Reference> ReadReference(const fs::path& path,
                                        int clip,
                                        std::string* error) {
   const std::optional<Found> found = Detect(path, options.format, error);
-  if (!found) return std::nullopt;
   Reference reference;
-  if (!Read(*found, options, clip, &reference, error) ||
+  if (!found || !Read(*found, options, clip, &reference, error) ||
       !CheckPoses(reference.poses, found->path.string(), error)) {
     return std::nullopt;
   }
   reference.warnings = DoubtsAboutPoses(
       reference.poses, reference.has_stamps, reference.has_rotations, found->path.string());
-  if (reference.description.empty()) {
+  if (reference.description.empty())
     reference.description = NameOf(found->format) + ", " + found->path.string();
-  }
-  reference.description = std::to_string(reference.poses.size()) +
-                          (reference.has_rotations ? " poses (" : " places (") +
-                          reference.description + ")";
+  const char* const what = reference.has_rotations ? " poses (" : " places (";
+  reference.description =
+      std::to_string(reference.poses.size()) + what + reference.description + ")";
   return reference;
 }
 

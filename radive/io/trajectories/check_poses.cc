@@ -12,10 +12,9 @@
 #include <functional>
 #include <optional>
 
-#include "radive/io/bytes/stamp_text.h"
+#include "radive/io/bytes/text_lines.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/util/number_text.h"
-#include "radive/util/text.h"
 
 namespace radive {
 namespace {
