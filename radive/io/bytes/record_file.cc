@@ -40,19 +40,27 @@ bool IsLfsPointer(const std::filesystem::path& path, std::string* error) {
   return true;
 }
 
-bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std::string* error) {
+bool ReadWholeFile(const std::filesystem::path& path,
+                   std::string* content,
+                   std::string* error,
+                   bool* is_unreadable) {
   content->clear();
+  bool ignored = false;
+  bool& has_failed = is_unreadable != nullptr ? *is_unreadable : ignored;
+  has_failed = false;
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (!std::filesystem::is_regular_file(status)) {
     *error =
         path.string() + ": cannot be opened: " + (failure ? failure.message() : "no regular file");
+    has_failed = static_cast<bool>(failure);
     return false;
   }
   if (IsLfsPointer(path, error)) return false;
   const FilePointer file = OpenFile(path);
   if (file == nullptr) {
     *error = path.string() + ": cannot be opened: " + SystemMessage(errno);
+    has_failed = true;
     return false;
   }
   std::array<char, 65536> buffer;
@@ -67,6 +75,7 @@ bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std:
   if (std::ferror(file.get()) != 0) {
     content->clear();
     *error = path.string() + ": cannot be read: " + SystemMessage(errno);
+    has_failed = true;
     return false;
   }
   return true;

@@ -37,7 +37,12 @@ ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
   ++next_;
 
   std::string reason;
-  if (!ReadWholeFile(file, &content_, &reason)) {
+  bool is_unreadable = false;
+  if (!ReadWholeFile(file, &content_, &reason, &is_unreadable)) {
+    if (is_unreadable) {
+      error_ = reason;
+      return Status::kError;
+    }
     warnings_.push_back(reason + "; taken as an empty scan");
     return Status::kScan;
   }
