@@ -7,6 +7,7 @@
 #include <glog/logging.h>
 
 #include <cerrno>
+#include <clocale>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -94,6 +95,7 @@ inline void InitApp(int* argc,
                     const std::string& usage,
                     int max_arguments = 0,
                     const char* app_file = __builtin_FILE()) {
+  std::setlocale(LC_ALL, "C");  // a library that is loaded too may have set another
   FLAGS_logtostderr = true;
   google::InitGoogleLogging((*argv)[0]);
   const std::string path = (*argv)[0];

@@ -42,8 +42,8 @@ int main(int argc, char** argv) {
   std::string error;
   const auto config = radive::LoadRunConfig(FLAGS_config, FLAGS_set, &error);
   if (!config) return Fail(error);
-  const std::optional<radive::InputReport> report =
-      radive::InspectInput(argv[1], config->input, config->odometry.sensor, &error);
+  const std::optional<radive::InputReport> report = radive::InspectInput(
+      argv[1], config->input, config->odometry.sensor, config->odometry.preprocessing, &error);
   if (!report) return Fail(error);
   std::fputs((FLAGS_json ? report->ToJson() : report->ToText()).c_str(), stdout);
   return radive::EndApp(radive::ExitStatus::kSuccess);

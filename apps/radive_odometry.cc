@@ -94,8 +94,11 @@ int main(int argc, char** argv) {
   const auto source = radive::OpenScanSource(FLAGS_input, config->input, &error);
   if (source == nullptr) return Fail(error);
   if (!FLAGS_quiet) {
-    const auto report =
-        radive::InspectInput(FLAGS_input, config->input, config->odometry.sensor, &error);
+    const auto report = radive::InspectInput(FLAGS_input,
+                                             config->input,
+                                             config->odometry.sensor,
+                                             config->odometry.preprocessing,
+                                             &error);
     if (!report) return Fail(error);
     std::fputs(report->ToText().c_str(), stderr);
   }

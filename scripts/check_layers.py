@@ -5,7 +5,8 @@ The same holds among the folders inside radive/io/.
   scripts/check_layers.py               prints each violation, exit status 1 if there is any
   scripts/check_layers.py --self_test   checks the check
 
-Also: ceres::Solve is called in radive/solver/ alone, and the library neither exits nor defines flags.
+Also: ceres::Solve is called in radive/solver/ alone, the library neither exits nor defines flags, and
+numbers go to and from text in radive/util/number_text alone, where the locale does not matter.
 """
 
 import pathlib
@@ -31,6 +32,9 @@ FORBIDDEN = [
     (re.compile(r"\bceres::Solve\("), "calls ceres::Solve; only radive/solver/ may", {"solver"}),
     (re.compile(r"(?<![\w.>])(?:std::)?exit\("), "exits; the library returns errors", set()),
     (re.compile(r"\bDEFINE_(?:string|bool|double|u?int(?:32|64))\("), "defines a flag", set()),
+    (re.compile(r"\b(?:v?sn?printf|strto(?:d|f|ld)|sto(?:d|f|ld)|ato[fil]|v?sscanf)\("),
+     "depends on the locale; use radive/util/number_text.h", {"util"}),
+    (re.compile(r"\bsetlocale\(|\blocale::global\("), "changes the locale of the program", set()),
 ]
 
 
@@ -100,6 +104,12 @@ def self_test():
     assert count("odometry", "// never ceres::Solve(...) here") == 0
     assert count("io/bytes", "  std::exit(1);") == 1
     assert count("io/bytes", "  source.exit(1);") == 0
+    assert count("io/bytes", "  std::snprintf(text, sizeof(text), form, value);") == 1
+    assert count("io/bytes", "  value = std::stod(word);") == 1
+    assert count("io/bytes", "  value = strtod(word, &end);") == 1
+    assert count("io/bytes", "  text = FormatText(form, value);") == 0
+    assert count("util", "  std::vsnprintf(text, sizeof(text), form, values);") == 0
+    assert count("util", '  std::setlocale(LC_ALL, "C");') == 1
     assert count("config", 'DEFINE_string(config, "", "");') == 1
 
 

@@ -12,6 +12,7 @@
 
 #include "radive/config/setting_text.h"
 #include "radive/config/yaml_settings.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
@@ -31,7 +32,7 @@ bool ApplyYaml(const std::string& file,
     const std::string place = PlaceInYaml(file, entry.first.Mark());
     const std::string stage = entry.first.IsScalar() ? entry.first.Scalar() : "?";
     if (!seen.insert(stage).second) {
-      *error = place + "stage " + stage + " appears twice";
+      *error = place + "stage " + Excerpt(stage) + " appears twice";
       return false;
     }
     if (FindStage(stage, stages, error) == nullptr) {
@@ -79,7 +80,7 @@ bool ApplySet(const std::string& set_text, SettingStages* stages, std::string* e
     const std::size_t equals = setting.find('=');
     const std::size_t dot = setting.substr(0, equals).find('.');
     if (equals == std::string::npos || dot == std::string::npos) {
-      *error = "--set: expected stage.field=value, got \"" + setting + "\"";
+      *error = "--set: expected stage.field=value, got \"" + Excerpt(setting) + "\"";
       return false;
     }
     const std::string stage = setting.substr(0, dot);
@@ -98,7 +99,8 @@ bool ApplySet(const std::string& set_text, SettingStages* stages, std::string* e
 bool ReadDecoder(NeuralMapOptions* options, std::string* error) {
   if (options->decoder_file.empty()) return true;
   std::string text;
-  if (!ReadTextFile(options->decoder_file, "decoder file", &text, error)) return false;
+  if (!ReadTextFile(options->decoder_file, "decoder file", kLargestSettings, &text, error))
+    return false;
   const auto decoder = SdfDecoder::FromText(text, options->decoder_file, error);
   if (decoder) options->decoder = std::make_shared<const SdfDecoder>(*decoder);
   return decoder.has_value();
@@ -136,7 +138,8 @@ std::optional<RunConfig> LoadRunConfig(const std::string& yaml_path,
                                        std::string* error) {
   std::string yaml_text;
   if (!yaml_path.empty()) {
-    if (!ReadTextFile(yaml_path, "configuration file", &yaml_text, error)) return std::nullopt;
+    if (!ReadTextFile(yaml_path, "configuration file", kLargestSettings, &yaml_text, error))
+      return std::nullopt;
   }
   return ParseRunConfig(yaml_text, yaml_path, set_text, error);
 }

@@ -4,10 +4,10 @@
 #include "radive/config/setting_text.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <climits>
 #include <cmath>
-#include <cstdlib>
+
+#include "radive/util/number_text.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
@@ -21,21 +21,17 @@ std::string Trim(const std::string& text) {
 bool ParseNumber(const std::string& word, double* value) {
   if (word == ".inf" || word == "inf") return *value = HUGE_VAL, true;
   if (word == "-.inf" || word == "-inf") return *value = -HUGE_VAL, true;
-  // strtod alone would also take "nan", "0x10" and leading blanks.
-  if (word.empty() || word.find_first_not_of("0123456789+-.eE") != std::string::npos) return false;
-  char* end = nullptr;
-  *value = std::strtod(word.c_str(), &end);
-  return *end == '\0' && std::isfinite(*value);
+  // ParseDouble alone would also take "nan" and "infinity".
+  if (word.find_first_not_of("0123456789+-.eE") != std::string::npos) return false;
+  const std::optional<double> number = ParseDouble(word);
+  *value = number.value_or(0.0);
+  return number && std::isfinite(*number);
 }
 
 bool ParseInteger(const std::string& word, int* value) {
-  if (word.empty() || word.find_first_not_of("0123456789+-") != std::string::npos) return false;
-  char* end = nullptr;
-  errno = 0;
-  const long number = std::strtol(word.c_str(), &end, 10);
-  if (*end != '\0' || errno != 0 || number < INT_MIN || number > INT_MAX) return false;
-  *value = static_cast<int>(number);
-  return true;
+  const std::optional<int> number = ParseInt(word);
+  *value = number.value_or(0);
+  return number.has_value();
 }
 
 // Assigns one variant alternative each; false: the text is not of that type.
@@ -115,6 +111,7 @@ std::size_t EditDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string SettingText::ToString() const {
+  if (!is_list && words.empty()) return "";
   if (!is_list) return is_quoted ? "\"" + words[0] + "\"" : words[0];
   std::string text = "[";
   for (const std::string& word : words) text += (text.size() > 1 ? ", " : "") + word;
@@ -150,7 +147,7 @@ bool AssignField(const std::string& stage,
   const std::string rule = field->Rule();
   *error = stage + "." + field->name + " must be " + type +
            (type.empty() || rule.empty() ? "" : ", ") + rule + ", is " +
-           (text.ToString().empty() ? "empty" : text.ToString());
+           (text.ToString().empty() ? "empty" : Excerpt(text.ToString()));
   if (const auto* choice = std::get_if<OptionField::Choice>(&field->value)) {
     const auto nearest = text.is_list ? std::nullopt : NearestWord(text.words[0], choice->names);
     if (nearest) *error += " (did you mean " + *nearest + "?)";
@@ -160,6 +157,8 @@ bool AssignField(const std::string& stage,
 
 std::optional<std::string> NearestWord(const std::string& word,
                                        const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongestWord = 100;  // no typo of a name is longer
+  if (word.size() > kLongestWord) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

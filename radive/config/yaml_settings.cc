@@ -3,13 +3,11 @@
 
 #include "radive/config/yaml_settings.h"
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
+
+#include "radive/util/read_file.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
@@ -32,7 +30,8 @@ std::vector<OptionField>* FindStage(const std::string& name,
     list += (list.empty() ? "" : ", ") + stage;
   }
   const std::string suggestion = Suggestion(name, names);
-  *error = "unknown stage " + name + (suggestion.empty() ? "; the stages are " + list : suggestion);
+  *error = "unknown stage " + Excerpt(name) +
+           (suggestion.empty() ? "; the stages are " + list : suggestion);
   return nullptr;
 }
 
@@ -49,7 +48,7 @@ OptionField* FindField(const std::string& stage,
     if (field.name == name) return &field;
     names.push_back(field.name);
   }
-  *error = "unknown key " + stage + "." + name;
+  *error = "unknown key " + stage + "." + Excerpt(name);
   for (const auto& [other, other_fields] : *stages) {
     for (const OptionField& field : other_fields) {
       if (field.name == name) {
@@ -100,7 +99,7 @@ bool ApplyYamlStage(const std::string& file,
     const std::string place = PlaceInYaml(file, entry.first.Mark());
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
     if (!seen.insert(key).second) {
-      *error = place + stage + "." + key + " is set twice";
+      *error = place + stage + "." + Excerpt(key) + " is set twice";
       return false;
     }
     OptionField* field = FindField(stage, key, stages, error);
@@ -119,19 +118,13 @@ bool ApplyYamlStage(const std::string& file,
 
 bool ReadTextFile(const std::string& path,
                   const std::string& what,
+                  std::uintmax_t max_bytes,
                   std::string* text,
                   std::string* error) {
-  std::error_code ignored;
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path, ignored)) {
-    *error =
-        path + ": cannot read the " + what + ": " + (file ? "is a folder" : std::strerror(errno));
-    return false;
-  }
-  std::stringstream buffer;
-  buffer << file.rdbuf();
-  *text = buffer.str();
-  return true;
+  std::string reason;
+  if (ReadFileBytes(path, max_bytes, text, &reason)) return true;
+  *error = path + ": cannot read the " + what + ": " + reason;
+  return false;
 }
 
 }  // namespace radive

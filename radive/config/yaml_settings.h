@@ -5,6 +5,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,9 +45,14 @@ bool ApplyYamlStage(const std::string& file,
                     SettingStages* stages,
                     std::string* error);
 
-// The whole text of a file; `what` it is stands in the error message.
+// No file with settings is larger [bytes]; a table or report may be.
+inline constexpr std::uintmax_t kLargestSettings = std::uintmax_t{1} << 20;
+inline constexpr std::uintmax_t kLargestTable = std::uintmax_t{1} << 30;
+
+// The whole text of a file of at most `max_bytes`; `what` it is stands in the error message.
 bool ReadTextFile(const std::string& path,
                   const std::string& what,
+                  std::uintmax_t max_bytes,
                   std::string* text,
                   std::string* error);
 

@@ -6,16 +6,18 @@
 #include <ceres/problem.h>
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 #include "radive/ego_velocity/velocity_branches.h"
 #include "radive/factors/condensed_doppler_factor.h"
 #include "radive/factors/doppler_factor.h"
+#include "radive/geometry/small_matrix.h"
 #include "radive/preprocessing/occlusion_counts.h"
 #include "radive/solver/solve.h"
+#include "radive/util/number_text.h"
 #include "radive/util/random.h"
 
 namespace radive {
@@ -46,10 +48,17 @@ std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals,
 // Largest Doppler residual of a return that can hide others [m/s].
 constexpr double kHidingGate = 0.5;
 
-std::string Format(const char* format, double a, double b, double c) {
-  char text[160];
-  std::snprintf(text, sizeof(text), format, a, b, c);
-  return text;
+// Of a symmetric positive semidefinite matrix: zero in the directions that it leaves open.
+Eigen::Matrix3d PseudoInverse(const Eigen::Matrix3d& matrix) {
+  const SmallEigen eigen = SymmetricEigen(matrix);
+  const double smallest = 3.0 * std::numeric_limits<double>::epsilon() * eigen.values[2];
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (!(eigen.values[i] > smallest)) continue;
+    const Eigen::Vector3d v = eigen.vectors.col(i);
+    inverse += v * v.transpose() / eigen.values[i];
+  }
+  return inverse;
 }
 
 }  // namespace
@@ -80,7 +89,7 @@ EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& retur
   const DopplerEquations equations = MakeDopplerEquations(returns, up_radar, sensor_.doppler_span);
   const std::optional<VelocityGate> gate = TemporalGate(equations, stamp_ns);
 
-  EgoVelocity result = Fit(equations, up_radar, gate, ridge);
+  EgoVelocity result = Fit(equations, up_radar, gate, ridge, is_planar);
   result.num_returns = equations.size();
   result.valid = result.reason.empty();
   if (result.valid) {
@@ -114,25 +123,21 @@ std::optional<VelocityGate> EgoVelocityEstimator::TemporalGate(const DopplerEqua
 EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
                                       const Eigen::Vector3d& up_radar,
                                       const std::optional<VelocityGate>& temporal_gate,
-                                      double vertical_ridge) {
+                                      double vertical_ridge,
+                                      bool is_planar) {
   EgoVelocity fit;
   if (equations.size() < options_.min_inliers) {
-    fit.reason = Format("%.0f returns with Doppler, at least %.0f needed",
-                        equations.size(),
-                        options_.min_inliers,
-                        0.0);
+    fit.reason = FormatText(
+        "%d returns with Doppler, at least %d needed", equations.size(), options_.min_inliers);
     return fit;
   }
   // Mixed so that neighbouring seeds and scans share no draws.
   Random random(Random(static_cast<std::uint64_t>(options_.seed)).Bits() ^ num_scans_);
-  const std::optional<VelocityHypothesis> hypothesis =
-      Draw(equations, temporal_gate, &random, &fit.reason);
-  if (!hypothesis) return fit;
-  fit = Refine(equations,
-               up_radar,
-               equations.basis * hypothesis->velocity,
-               Eigen::ArrayXd::Ones(equations.size()),
-               vertical_ridge);
+  const std::optional<Eigen::Vector3d> v_drawn =
+      Draw(equations, temporal_gate, is_planar, &random, &fit.reason);
+  if (!v_drawn) return fit;
+  fit =
+      Refine(equations, up_radar, *v_drawn, Eigen::ArrayXd::Ones(equations.size()), vertical_ridge);
   if (occlusion_.enabled) {
     const EgoVelocity weighted = Refine(
         equations, up_radar, fit.v_radar, OcclusionWeights(equations, fit.v_radar), vertical_ridge);
@@ -143,17 +148,24 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
 }
 
 // Nothing, with the reason, when no draw gives a velocity or several do.
-std::optional<VelocityHypothesis> EgoVelocityEstimator::Draw(
+std::optional<Eigen::Vector3d> EgoVelocityEstimator::Draw(
     const DopplerEquations& equations,
     const std::optional<VelocityGate>& temporal_gate,
+    bool is_planar,
     Random* random,
     std::string* reason) const {
   *reason = "all returns lie in one direction";
   if (!(equations.span > 0.0)) {
-    const auto hypothesis =
-        DrawVelocity(equations, options_.fit_gate, options_.num_draws, temporal_gate, random);
-    if (hypothesis) reason->clear();
-    return hypothesis;
+    std::optional<Eigen::Vector3d> v_radar;
+    if (options_.hypotheses == EgoVelocityOptions::Hypotheses::kSpatial && !is_planar) {
+      v_radar = DrawSpatialVelocity(
+          equations, options_.fit_gate, options_.num_draws, temporal_gate, random);
+    } else if (const auto hypothesis = DrawVelocity(
+                   equations, options_.fit_gate, options_.num_draws, temporal_gate, random)) {
+      v_radar = equations.basis * hypothesis->velocity;
+    }
+    if (v_radar) reason->clear();
+    return v_radar;
   }
   Eigen::Vector2d forward = equations.basis.transpose() * forward_radar_;
   // A radar that looks straight up or down has no direction of travel in its plane.
@@ -168,7 +180,8 @@ std::optional<VelocityHypothesis> EgoVelocityEstimator::Draw(
   if (!branch) return std::nullopt;
   *reason =
       branch->is_ambiguous ? "the Doppler leaves open which multiple of its span is true" : "";
-  return branch->is_ambiguous ? std::nullopt : std::make_optional(branch->hypothesis);
+  if (branch->is_ambiguous) return std::nullopt;
+  return equations.basis * branch->hypothesis.velocity;
 }
 
 Eigen::ArrayXd EgoVelocityEstimator::OcclusionWeights(const DopplerEquations& equations,
@@ -290,7 +303,7 @@ Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equatio
   const double kappa = std::max(kMinSlope, 1.0 - 2.0 * num_at_edge / num_inliers);
   const double sigma_up = options_.vertical_sigma;
   const Eigen::Matrix3d R = sum_of_weights * vertical_ridge * up_radar * up_radar.transpose();
-  const Eigen::Matrix3d inverse = (A + R).completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::Matrix3d inverse = PseudoInverse(A + R);
   const Eigen::Matrix3d covariance =
       inverse * (S / (kappa * kappa) + sigma_up * sigma_up * R * R.transpose()) * inverse;
   const double common_variance = options_.common_sigma * options_.common_sigma;
@@ -311,10 +324,8 @@ double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
   information(0, 1) = (is_inlier * equations.first * equations.second).sum();
   information(1, 0) = information(0, 1);
   const Eigen::Matrix2d covariance = equations.basis.transpose() * fit.covariance * equations.basis;
-  const double weakest =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];
-  const double largest =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1];
+  const double weakest = SymmetricEigen(information).values[0];
+  const double largest = SymmetricEigen(covariance).values[1];
   return std::max(std::sqrt(std::max(0.0, largest)),
                   sensor_.sigma_doppler / std::sqrt(std::max(0.0, weakest)));
 }
@@ -327,26 +338,24 @@ std::string EgoVelocityEstimator::WhyUnusable(
   const double needed =
       std::max<double>(options_.min_inliers, options_.min_inlier_share * equations.size());
   if (fit.num_inliers < needed) {
-    return Format("only %.0f of %.0f returns agree on a velocity, %.0f needed",
-                  fit.num_inliers,
-                  equations.size(),
-                  std::ceil(needed));
+    return FormatText("only %d of %d returns agree on a velocity, %.0f needed",
+                      fit.num_inliers,
+                      equations.size(),
+                      std::ceil(needed));
   }
   const double sigma = HorizontalSigma(fit, equations);
   if (!(sigma <= options_.max_sigma)) {
-    return Format(
+    return FormatText(
         "the returns lie too close to one direction: standard deviation %.2f m/s across "
         "it, at most %.2f allowed",
         sigma,
-        options_.max_sigma,
-        0.0);
+        options_.max_sigma);
   }
   const Eigen::Vector2d velocity = equations.basis.transpose() * fit.v_radar;
   if (temporal_gate && !temporal_gate->Contains(velocity)) {
-    return Format("the velocity differs by %.2f m/s from the last one, at most %.2f allowed",
-                  (velocity - temporal_gate->center).norm(),
-                  temporal_gate->radius,
-                  0.0);
+    return FormatText("the velocity differs by %.2f m/s from the last one, at most %.2f allowed",
+                      (velocity - temporal_gate->center).norm(),
+                      temporal_gate->radius);
   }
   return "";
 }

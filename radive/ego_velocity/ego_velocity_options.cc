@@ -3,6 +3,8 @@
 
 #include "radive/ego_velocity/ego_velocity_options.h"
 
+#include "radive/util/number_text.h"
+
 namespace radive {
 
 std::vector<OptionField> EgoVelocityOptions::Fields() {
@@ -11,6 +13,12 @@ std::vector<OptionField> EgoVelocityOptions::Fields() {
                   &enabled,
                   "-",
                   "Whether to fit the velocity of the radar to the Doppler of each scan."},
+      OptionField{
+          "hypotheses",
+          MakeChoice(&hypotheses, {"planar", "spatial"}),
+          "-",
+          "RANSAC draws velocities from two returns, without a vertical part, or from three "
+          "in 3D; planar sensors and Doppler that wraps always take the former."},
       OptionField{
           "fit_gate", &fit_gate, "m/s", "Largest Doppler residual of returns used for the fit."}
           .Above(0.0),
@@ -97,7 +105,7 @@ bool EgoVelocityOptions::IsValid(std::string* error) const {
   if (!CheckOptions("ego_velocity", *this, error)) return false;
   if (!(keep_gate >= fit_gate)) {
     *error = "ego_velocity.keep_gate must be >= ego_velocity.fit_gate, is " +
-             std::to_string(keep_gate) + " m/s and " + std::to_string(fit_gate) + " m/s";
+             NumberText(keep_gate) + " m/s and " + NumberText(fit_gate) + " m/s";
     return false;
   }
   return true;

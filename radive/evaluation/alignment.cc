@@ -5,7 +5,9 @@
 
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 
@@ -33,8 +35,9 @@ std::optional<Alignment> FitSimilarity(const Eigen::Matrix3Xd& reference,
 
   const Eigen::Matrix3d covariance =
       reference_centred * estimate_centred.transpose() / n;  // Eq. (38)
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  // A square matrix needs no QR decomposition first, and its code takes long to compile.
+  const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(
+      covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   if (svd.singularValues()(1) <= std::numeric_limits<double>::epsilon()) {
     *error = "alignment needs at least two directions of motion; the " +
              std::to_string(reference.cols()) + " matched positions do not fix a rotation";

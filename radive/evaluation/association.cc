@@ -10,6 +10,7 @@
 
 #include "radive/evaluation/nearest_value.h"
 #include "radive/io/bytes/stamp_text.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -71,9 +72,8 @@ std::optional<MatchedPoses> AssociateByStamp(const RecordedTrajectory& reference
     matched.estimate.push_back(estimate_is_short ? pose.T_world_body : partner.T_world_body);
   }
   if (matched.reference.empty()) {
-    *error = "no stamps of reference and estimate lie within " +
-             std::to_string(max_time_difference) + " s: the reference " + TimeSpan(reference) +
-             ", the estimate " + TimeSpan(estimate);
+    *error = "no stamps of reference and estimate lie within " + NumberText(max_time_difference) +
+             " s: the reference " + TimeSpan(reference) + ", the estimate " + TimeSpan(estimate);
     return std::nullopt;
   }
   return matched;
@@ -124,8 +124,8 @@ std::optional<MatchedPoses> AssociateInterpolated(const RecordedTrajectory& refe
   }
   if (!matched.reference.empty()) return matched;
   *error = "no pose of the estimate lies between two of the reference within " +
-           std::to_string(max_gap) + " s: the reference " + TimeSpan(reference) +
-           ", the estimate " + TimeSpan(estimate);
+           NumberText(max_gap) + " s: the reference " + TimeSpan(reference) + ", the estimate " +
+           TimeSpan(estimate);
   return std::nullopt;
 }
 

@@ -3,21 +3,14 @@
 
 #include "radive/evaluation/evaluation_report.h"
 
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
-
-template <typename... Values>
-std::string Format(const char* form, Values... values) {
-  char text[256];
-  std::snprintf(text, sizeof(text), form, values...);
-  return text;
-}
 
 // "APE of trans_part, align se3, plane xy"
 std::string Title(const EvaluationOptions& options) {
@@ -28,7 +21,7 @@ std::string Title(const EvaluationOptions& options) {
       break;
     case EvaluationMetric::kRpe:
       title = "Relative pose error, " + options.Word("relation") + " over " +
-              Format("%g ", options.pairs.delta) + options.Word("delta_unit") +
+              FormatText("%g ", options.pairs.delta) + options.Word("delta_unit") +
               (options.pairs.all_pairs ? ", all pairs" : "") +
               (options.pairs_from_reference ? ", pairs from reference" : "");
       break;
@@ -57,28 +50,28 @@ std::string SegmentTable(const SegmentDrift& drift) {
   }
   std::string table = "  length [m]  segments  translation [%]  rotation [deg/m]\n";
   for (const auto& [length, sum] : by_length) {
-    table += Format("  %10.0f  %8d  %15.6f  %16.8f\n",
-                    length,
-                    sum.count,
-                    100.0 * sum.translation / sum.count,
-                    Degrees(sum.rotation / sum.count));
+    table += FormatText("  %10.0f  %8d  %15.6f  %16.8f\n",
+                        length,
+                        sum.count,
+                        100.0 * sum.translation / sum.count,
+                        Degrees(sum.rotation / sum.count));
   }
-  return table + Format("  %10s  %8zu  %15.6f  %16.8f\n",
-                        "all",
-                        drift.segments.size(),
-                        100.0 * drift.translation,
-                        Degrees(drift.rotation));
+  return table + FormatText("  %10s  %8zu  %15.6f  %16.8f\n",
+                            "all",
+                            drift.segments.size(),
+                            100.0 * drift.translation,
+                            Degrees(drift.rotation));
 }
 
 }  // namespace
 
 std::string EvaluationTable(const EvaluationResult& result, const EvaluationOptions& options) {
   std::string table = Title(options);
-  table += Format("  %d matched poses, of %d in the reference and %d in the estimate\n",
-                  result.num_matched,
-                  result.num_reference,
-                  result.num_estimate);
-  if (result.alignment.scale != 1.0) table += Format("  scale %.9g\n", result.alignment.scale);
+  table += FormatText("  %d matched poses, of %d in the reference and %d in the estimate\n",
+                      result.num_matched,
+                      result.num_reference,
+                      result.num_estimate);
+  if (result.alignment.scale != 1.0) table += FormatText("  scale %.9g\n", result.alignment.scale);
   if (result.drift) return table + SegmentTable(*result.drift);
 
   const ErrorStatistics& s = result.statistics;
@@ -89,9 +82,10 @@ std::string EvaluationTable(const EvaluationResult& result, const EvaluationOpti
                                                  {"min", s.min},
                                                  {"max", s.max}};
   const char* unit = result.unit.c_str();
-  for (const auto& [name, value] : rows) table += Format("  %-7s %16.9f %s\n", name, value, unit);
-  table += Format("  %-7s %16.9f %s^2\n", "sse", s.sse, unit);
-  return table + Format("  %-7s %6d\n", "errors", s.count);
+  for (const auto& [name, value] : rows)
+    table += FormatText("  %-7s %16.9f %s\n", name, value, unit);
+  table += FormatText("  %-7s %16.9f %s^2\n", "sse", s.sse, unit);
+  return table + FormatText("  %-7s %6d\n", "errors", s.count);
 }
 
 std::string EvaluationJson(const EvaluationResult& result, const EvaluationOptions& options) {

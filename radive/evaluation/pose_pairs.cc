@@ -5,10 +5,11 @@
 
 #include <cmath>
 
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/nearest_value.h"
 #include "radive/evaluation/path_length.h"
 #include "radive/evaluation/pose_relation.h"
+#include "radive/util/angle_units.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -118,7 +119,7 @@ std::vector<OptionField> PosePairOptions::Fields() {
 bool PosePairOptions::IsValid(std::string* error) const {
   if (!CheckOptions("rpe", *this, error)) return false;
   if (delta_unit == DeltaUnit::kFrames && (delta < 1.0 || delta != std::floor(delta))) {
-    *error = "rpe.delta must be a whole number >= 1 in frames, is " + std::to_string(delta);
+    *error = "rpe.delta must be a whole number >= 1 in frames, is " + NumberText(delta);
     return false;
   }
   return true;
@@ -140,7 +141,7 @@ std::optional<std::vector<PosePair>> SelectPosePairs(const std::vector<MatrixPos
   if (pairs.empty()) {
     static const char* const kUnits[] = {"frames", "m", "deg", "rad"};
     *error = "no two of the " + std::to_string(poses.size()) + " matched poses are " +
-             std::to_string(options.delta) + " " + kUnits[static_cast<int>(options.delta_unit)] +
+             NumberText(options.delta) + " " + kUnits[static_cast<int>(options.delta_unit)] +
              " apart; choose a smaller delta";
     return std::nullopt;
   }

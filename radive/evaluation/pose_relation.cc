@@ -5,10 +5,11 @@
 
 #include <glog/logging.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
 
 namespace radive {
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "radive/evaluation/path_length.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -53,7 +54,7 @@ std::optional<SegmentDrift> ComputeSegmentDrift(const MatchedPoses& poses,
   }
   if (drift.segments.empty()) {
     *error = "segment errors need more than 100 m of matched reference path, found " +
-             std::to_string(path.empty() ? 0.0 : path.back()) + " m";
+             NumberText(path.empty() ? 0.0 : path.back()) + " m";
     return std::nullopt;
   }
   for (const SegmentError& segment : drift.segments) {

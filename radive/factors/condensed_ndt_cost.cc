@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "radive/factors/ndt_pair_factor.h"
 #include "radive/geometry/rigid3.h"
 
 namespace radive {

@@ -3,22 +3,16 @@
 
 #pragma once
 
-#include <ceres/cost_function.h>
+#include <ceres/sized_cost_function.h>
 
 #include <Eigen/Core>
 #include <vector>
 
-#include "radive/factors/ndt_pair_factor.h"
+#include "radive/factors/ndt_cost_options.h"
 #include "radive/geometry/gaussian3.h"
 #include "radive/ndt/distance_bounded_pairs.h"
 
 namespace radive {
-
-// How the derivatives inside the condensed block are formed.
-enum class NdtDerivatives {
-  kAnalytic,  // closed form; the 6x6 matrix holds Sigma fixed
-  kAutodiff,  // Jets through NdtPairFactor: the reference, three to four times slower
-};
 
 // Cost, gradient and curvature of the NDT cost of many pairs, in the tangent space
 // [rotation vector (3) [rad], translation (3) [m]] of a pose that is perturbed from the left:

@@ -12,15 +12,10 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "radive/factors/ndt_cost_options.h"
 #include "radive/geometry/gaussian3.h"
 
 namespace radive {
-
-// How the Gaussian of a pair is scaled in the cost.
-enum class NdtNormalisation {
-  kPaper,  // a probability density: divided by sqrt((2 pi)^3 |Sigma|), as printed in the paper
-  kUnit,   // peak height 1: all pairs count alike, however wide they are
-};
 
 // NDT pair factor: a Gaussian of the scan against a Gaussian of the submap.
 //

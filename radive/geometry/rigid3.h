@@ -37,6 +37,11 @@ inline Eigen::Vector3d operator*(const Rigid3& T_a_b, const Eigen::Vector3d& p_b
   return T_a_b.rotation * p_b + T_a_b.translation;
 }
 
+// Exactly: no tolerance.
+inline bool IsIdentity(const Rigid3& T) {
+  return T.translation.isZero(0.0) && T.rotation.vec().isZero(0.0);
+}
+
 // Pose parameter block of all factors: [qx qy qz qw tx ty tz] (Eigen's coefficient order).
 using PoseBlock = std::array<double, 7>;
 

@@ -5,9 +5,11 @@
 
 #include <glog/logging.h>
 
-#include <cstdio>
-#include <locale>
+#include <cmath>
+#include <optional>
 #include <sstream>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -23,16 +25,9 @@ std::vector<std::string> Words(const std::string& line) {
 }
 
 bool ParseNumber(const std::string& word, double* value) {
-  std::istringstream stream(word);
-  stream.imbue(std::locale::classic());
-  return static_cast<bool>(stream >> *value) &&
-         stream.peek() == std::istringstream::traits_type::eof() && std::isfinite(*value);
-}
-
-void AppendNumber(double value, std::string* text) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof(buffer), " %.17g", value);
-  *text += buffer;
+  const std::optional<double> number = ParseDouble(word);
+  *value = number.value_or(0.0);
+  return number && std::isfinite(*number);
 }
 
 // Reads the lines of a decoder file one after the other.
@@ -90,13 +85,13 @@ std::string SdfDecoder::ToText(const std::string& comment) const {
   const std::size_t hidden_size = static_cast<std::size_t>(hidden_);
   for (std::size_t i = 0; i < hidden_size; ++i) {
     text += "unit";
-    for (std::size_t k = 0; k < row_size; ++k) AppendNumber(parameters_[i * row_size + k], &text);
-    AppendNumber(parameters_[hidden_size * row_size + i], &text);
+    for (std::size_t k = 0; k < row_size; ++k)
+      text += FormatText(" %.17g", parameters_[i * row_size + k]);
+    text += FormatText(" %.17g", parameters_[hidden_size * row_size + i]);
     text += "\n";
   }
   text += "output";
-  AppendNumber(parameters_.back(), &text);
-  return text + "\n";
+  return text + FormatText(" %.17g\n", parameters_.back());
 }
 
 std::optional<SdfDecoder> SdfDecoder::FromText(const std::string& text,

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "radive/util/seconds.h"
+
 namespace radive {
 namespace {
 
@@ -34,8 +36,6 @@ constexpr double kMinRedundancy = 0.05;
 // stands.
 constexpr double kMinRotationSigma = 1e-4;
 constexpr double kMinTranslationSigma = 1e-3;
-
-double Seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
 }  // namespace
 

@@ -4,7 +4,6 @@
 #include "radive/pipeline/input_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -12,19 +11,18 @@
 
 #include "radive/io/open/detect_format.h"
 #include "radive/io/open/open_scan_source.h"
-#include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/doppler_checked_source.h"
+#include "radive/pipeline/plausibility.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
 
 constexpr double kGap = 1.8;  // times the median interval
 constexpr std::size_t kMostWarnings = 5;
+constexpr std::size_t kMostScans = 100;  // that are looked at
 
-std::string Number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
+std::string Number(double value) { return FormatText("%.4g", value); }
 
 std::string FormatWord(InputOptions options) {
   for (const OptionField& field : options.Fields()) {
@@ -57,19 +55,21 @@ void MeasureStamps(const std::vector<std::int64_t>& stamps_ns, InputReport* repo
       }));
 }
 
-std::string DopplerText(const InputOptions& options, const DopplerSignSource& source) {
-  if (options.doppler_sign == InputOptions::DopplerSign::kAuto) {
+// What the first scans say of their Doppler.
+std::string DopplerText(const InputOptions& options, const std::vector<DopplerRemark>& remarks) {
+  std::string text;
+  for (const DopplerRemark& remark : remarks) {
     constexpr std::string_view kFront = "Doppler ";
-    const std::string& evidence = source.evidence();
-    return evidence.substr(evidence.compare(0, kFront.size(), kFront) == 0 ? kFront.size() : 0);
+    text += text.empty() ? "" : "; ";
+    text +=
+        remark.text.substr(remark.text.compare(0, kFront.size(), kFront) == 0 ? kFront.size() : 0);
+  }
+  if (options.doppler_sign == InputOptions::DopplerSign::kAuto) {
+    return text.empty() ? "the first scans do not tell its sign" : text;
   }
   const bool is_minus = options.doppler_sign == InputOptions::DopplerSign::kMinus;
-  std::string text = std::string("sign ") + (is_minus ? "-1" : "+1") + " as set; ";
-  if (!source.is_decided()) return text + "the first scans neither confirm nor contradict it";
-  if (source.sign() < 0.0)
-    return text + "but the first scans say the opposite (" + source.evidence() +
-           ", after the sign that is set)";
-  return text + "the first scans agree";
+  return std::string("sign ") + (is_minus ? "-1" : "+1") + " as set; " +
+         (text.empty() ? "the first scans neither confirm nor contradict it" : text);
 }
 
 std::string RangeText(const FieldSummary& field) {
@@ -86,9 +86,7 @@ class TextBlock {
  public:
   void Add(const std::string& name, const std::string& what) {
     if (what.empty()) return;
-    char label[32];
-    std::snprintf(label, sizeof(label), "  %-9s", (name.empty() ? "" : name + ":").c_str());
-    text_ += label + (" " + what) + "\n";
+    text_ += FormatText("  %-9s ", (name.empty() ? "" : name + ":").c_str()) + what + "\n";
   }
   std::string text_;
 };
@@ -177,6 +175,7 @@ std::string InputReport::ToJson() const {
 std::optional<InputReport> InspectInput(const std::string& path,
                                         const InputOptions& options,
                                         const SensorOptions& sensor,
+                                        const PreprocessingOptions& preprocessing,
                                         std::string* error) {
   InputReport report;
   report.path = path;
@@ -188,31 +187,46 @@ std::optional<InputReport> InspectInput(const std::string& path,
   if (source == nullptr) return std::nullopt;
   report.format = FormatWord(found);
   report.layout = found.layout;
-  DopplerSignSource signed_source(source.get(), sensor);
+  const bool is_given = found.doppler_sign != InputOptions::DopplerSign::kAuto;
+  DopplerCheckedSource checked_source(
+      source.get(),
+      DopplerCheck(sensor,
+                   preprocessing,
+                   is_given ? DopplerCheck::Sign::kGiven : DopplerCheck::Sign::kUnknown));
   std::vector<std::int64_t> stamps_ns;
   std::size_t num_returns = 0;
+  Plausibility plausibility;
   RadarScan scan;
-  while (stamps_ns.size() < DopplerSignSource::kMaxScans) {
-    const ScanSource::Status status = signed_source.Next(&scan);
-    for (std::string& warning : signed_source.TakeWarnings()) report.warnings.push_back(warning);
+  while (stamps_ns.size() < kMostScans) {
+    const ScanSource::Status status = checked_source.Next(&scan);
+    for (std::string& warning : checked_source.TakeWarnings()) report.warnings.push_back(warning);
     if (status == ScanSource::Status::kError) {
-      *error = signed_source.error();
+      *error = checked_source.error();
       return std::nullopt;
     }
     if (status == ScanSource::Status::kEnd) break;
     stamps_ns.push_back(scan.stamp_ns);
     num_returns += scan.returns.size();
-    report.has_doppler = report.has_doppler || scan.has_doppler;
+    plausibility.AddScan(scan);
+    report.has_doppler =
+        report.has_doppler || scan.has_doppler || checked_source.check().Factor(scan.radar) == 0;
     report.is_planar = stamps_ns.size() == 1 ? scan.is_planar : report.is_planar && scan.is_planar;
+  }
+  if (stamps_ns.empty()) {
+    *error = path + ": there are no scans";
+    if (!report.warnings.empty()) *error += "; first warning: " + report.warnings.front();
+    return std::nullopt;
   }
   report.num_scans_read = static_cast<int>(stamps_ns.size());
   report.returns_per_scan =
-      stamps_ns.empty() ? 0.0
-                        : static_cast<double>(num_returns) / static_cast<double>(stamps_ns.size());
+      static_cast<double>(num_returns) / static_cast<double>(stamps_ns.size());
+  for (std::string& warning : plausibility.Warnings()) {
+    report.warnings.push_back(std::move(warning));
+  }
   report.num_scans = source->NumScans();
   report.facts = source->Facts();
   MeasureStamps(report.facts.stamps_ns.empty() ? stamps_ns : report.facts.stamps_ns, &report);
-  report.doppler = DopplerText(found, signed_source);
+  report.doppler = DopplerText(found, checked_source.TakeRemarks());
   return report;
 }
 

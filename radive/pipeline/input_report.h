@@ -10,6 +10,7 @@
 
 #include "radive/io/scans/input_options.h"
 #include "radive/io/scans/source_facts.h"
+#include "radive/preprocessing/preprocessing_options.h"
 #include "radive/sensor/sensor_options.h"
 
 namespace radive {
@@ -39,12 +40,13 @@ struct InputReport {
   std::string ToJson() const;
 };
 
-// Opens the drive at `path`, reads its first scans (those that decide the Doppler sign) and says
-// what is there. Nothing, with the source's own message in `error`, when it does not open or cannot
-// be read.
+// Opens the drive at `path`, reads its first scans, compares their Doppler with the motion of
+// their points, and says what is there. Nothing, with the source's own message in `error`, when it
+// does not open or cannot be read.
 std::optional<InputReport> InspectInput(const std::string& path,
                                         const InputOptions& options,
                                         const SensorOptions& sensor,
+                                        const PreprocessingOptions& preprocessing,
                                         std::string* error);
 
 }  // namespace radive

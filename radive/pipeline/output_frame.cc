@@ -6,13 +6,6 @@
 #include "radive/geometry/pose_covariance.h"
 
 namespace radive {
-namespace {
-
-bool IsIdentity(const Rigid3& T) {
-  return T.translation.isZero(0.0) && T.rotation.vec().isZero(0.0);
-}
-
-}  // namespace
 
 OutputFrame::OutputFrame(const RunConfig& config, int first_radar) {
   using Frame = OutputOptions::Frame;

@@ -3,24 +3,13 @@
 
 #include "radive/pipeline/result_rows.h"
 
-#include <cstdio>
-
 #include "radive/io/trajectories/trajectory_io.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
 
-std::string Short(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.9g", value);
-  return text;
-}
-
-std::string Milliseconds(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.4f", value);
-  return text;
-}
+std::string Short(double value) { return FormatText("%.9g", value); }
 
 // A text as one CSV field.
 std::string Quoted(const std::string& text) {
@@ -114,7 +103,7 @@ std::string TimingRow(const OdometryResult& result, double read_ms) {
                              times.submap,
                              times.total,
                              read_ms + times.total}) {
-    row += "," + Milliseconds(value);
+    row += FormatText(",%.4f", value);
   }
   return row + "\n";
 }

@@ -7,15 +7,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluation_report.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/trajectories/pose_text.h"
+#include "radive/util/angle_units.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -44,10 +44,6 @@ bool ReadRunFacts(const Json& run, RunEstimate* estimate) {
   if (!(std::abs(q.norm() - 1.0) < 1e-6) || estimate->start < 0) return false;
   estimate->T_output_reference = Rigid3(q, {v[0], v[1], v[2]});
   return true;
-}
-
-bool IsIdentity(const Rigid3& T) {
-  return T.translation.isZero(0.0) && T.rotation.vec().isZero(0.0);
 }
 
 // KITTI files with six digits hold matrices that evo does not take for rotations, and so gives no
@@ -162,25 +158,19 @@ std::optional<std::vector<RunScore>> ScoreEstimate(const RunEstimate& estimate,
 std::string ScoresText(const std::vector<RunScore>& scores, const Reference& reference) {
   std::string text = "scores against " + reference.description + "\n";
   for (const RunScore& score : scores) {
-    char line[200];
     if (score.result.drift) {
-      std::snprintf(line,
-                    sizeof(line),
-                    "  %-14s %.4f %% and %.6f deg/m over %zu segments of 100 to 800 m\n",
-                    score.name.c_str(),
-                    100.0 * score.result.drift->translation,
-                    Degrees(score.result.drift->rotation),
-                    score.result.drift->segments.size());
+      text += FormatText("  %-14s %.4f %% and %.6f deg/m over %zu segments of 100 to 800 m\n",
+                         score.name.c_str(),
+                         100.0 * score.result.drift->translation,
+                         Degrees(score.result.drift->rotation),
+                         score.result.drift->segments.size());
     } else {
-      std::snprintf(line,
-                    sizeof(line),
-                    "  %-14s %.4f %s (rmse of %d matched poses, aligned se3)\n",
-                    score.name.c_str(),
-                    score.result.statistics.rmse,
-                    score.result.unit.c_str(),
-                    score.result.num_matched);
+      text += FormatText("  %-14s %.4f %s (rmse of %d matched poses, aligned se3)\n",
+                         score.name.c_str(),
+                         score.result.statistics.rmse,
+                         score.result.unit.c_str(),
+                         score.result.num_matched);
     }
-    text += line;
   }
   return text;
 }

@@ -13,9 +13,10 @@
 #include "radive/config/describe_config.h"
 #include "radive/io/trajectories/trajectory_io.h"
 #include "radive/odometry/odometry.h"
-#include "radive/pipeline/doppler_sign.h"
+#include "radive/pipeline/doppler_checked_source.h"
 #include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
+#include "radive/pipeline/plausibility.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
 #include "radive/pipeline/run_scores.h"
@@ -32,9 +33,8 @@ class SequenceRun {
       : config_(config),
         request_(request),
         stored_(source),
-        signed_source_(source, config.odometry.sensor),
-        source_(config.input.doppler_sign == InputOptions::DopplerSign::kAuto ? &signed_source_
-                                                                              : source),
+        checked_source_(source, MakeDopplerCheck(config)),
+        source_(config.odometry.ego_velocity.enabled ? &checked_source_ : source),
         odometry_(WithRecord(config)),
         map_(config.output.map_resolution),
         progress_(stderr,
@@ -48,11 +48,14 @@ class SequenceRun {
     }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
+    const std::vector<std::string> implausible = plausibility_.Warnings();
+    for (const std::string& warning : implausible) Warn(warning);
     // Of zero scans that were asked for, zero poses are the result.
     if (status == RunStatus::kDone && request_.num_frames.value_or(1) > 0) {
       const std::string reason = report_.WhyNoResult();
       if (!reason.empty()) {
         *error = request_.input + ": " + reason;
+        for (const std::string& warning : implausible) *error += "; " + warning;
         status = RunStatus::kNoResult;
       }
     }
@@ -78,6 +81,13 @@ class SequenceRun {
     options.sdf_submap.record_grid_spacing =
         config.output.map == OutputOptions::Map::kMesh ? config.output.mesh_resolution : 0.0;
     return options;
+  }
+
+  static DopplerCheck MakeDopplerCheck(const RunConfig& config) {
+    const bool is_given = config.input.doppler_sign != InputOptions::DopplerSign::kAuto;
+    return DopplerCheck(config.odometry.sensor,
+                        config.odometry.preprocessing,
+                        is_given ? DopplerCheck::Sign::kGiven : DopplerCheck::Sign::kUnknown);
   }
 
   std::optional<int> NumScansToRun() const {
@@ -126,10 +136,13 @@ class SequenceRun {
         *error = source_->error();
         return RunStatus::kFailed;
       }
+      plausibility_.AddScan(scan);
       OdometryResult result = odometry_.AddScan(scan);
+      plausibility_.AddPose(result);
       if (!frame_) frame_.emplace(config_, scan.radar);
       frame_->Apply(&result);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
+      for (const std::string& warning : odometry_.TakeWarnings()) Warn(warning);
       if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
       report_.AddScan(result, info.read_ms, scan.place);
       if (!writer_.AddScan(info, result, error)) {
@@ -153,12 +166,11 @@ class SequenceRun {
 
   void TellAboutSource() {
     for (const std::string& warning : source_->TakeWarnings()) Warn(warning);
-    if (!signed_source_.evidence().empty() && !has_told_sign_) {
-      has_told_sign_ = true;
-      if (signed_source_.is_decided()) {
-        Note(signed_source_.evidence());
+    for (const DopplerRemark& remark : checked_source_.TakeRemarks()) {
+      if (remark.is_warning) {
+        Warn(remark.text);
       } else {
-        Warn(signed_source_.evidence() + "; set input.doppler_sign to be sure");
+        Note(remark.text);
       }
     }
   }
@@ -228,7 +240,7 @@ class SequenceRun {
   const RunRequest& request_;
   const Stopwatch wall_time_;
   ScanSource* const stored_;
-  DopplerSignSource signed_source_;
+  DopplerCheckedSource checked_source_;
   ScanSource* const source_;
   Odometry odometry_;
   std::optional<OutputFrame> frame_;  // from the first scan on
@@ -237,8 +249,8 @@ class SequenceRun {
   MapThinner map_;
   ResultWriter writer_;
   RunReport report_;
+  Plausibility plausibility_;
   Progress progress_;
-  bool has_told_sign_ = false;
   bool has_failed_to_write_ = false;
 };
 

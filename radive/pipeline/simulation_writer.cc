@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <system_error>
 #include <variant>
@@ -13,6 +12,7 @@
 #include "radive/io/bytes/whole_file.h"
 #include "radive/io/open/open_scan_writer.h"
 #include "radive/simulation/radar_simulator.h"
+#include "radive/util/number_text.h"
 #include "radive/util/output_folder.h"
 
 namespace radive {
@@ -28,27 +28,21 @@ bool MakeFolder(const fs::path& folder, std::string* error) {
 }
 
 bool WriteLabels(const fs::path& folder, int k, const GroundTruth& truth, std::string* error) {
-  char name[32];
-  std::snprintf(name, sizeof(name), "%06d.bin", k);
+  const std::string name = FormatText("%06d.bin", k);
   std::string labels;
   for (const ReturnLabel label : truth.labels) labels.push_back(static_cast<char>(label));
   return WriteFile(folder / "labels" / name, labels, error);
 }
 
 std::string TumLine(std::int64_t stamp_ns, const Rigid3& T_first_radar) {
-  char text[64];
-  std::snprintf(text,
-                sizeof(text),
-                "%lld.%09lld",
-                static_cast<long long>(stamp_ns / 1000000000),
-                static_cast<long long>(stamp_ns % 1000000000));
-  std::string line = text;
+  std::string line = FormatText("%lld.%09lld",
+                                static_cast<long long>(stamp_ns / 1000000000),
+                                static_cast<long long>(stamp_ns % 1000000000));
   const Eigen::Vector3d& t = T_first_radar.translation;
   const Eigen::Quaterniond& q = T_first_radar.rotation;
   for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) {
     // Without the sign of a zero that rounding made negative.
-    std::snprintf(text, sizeof(text), " %.9f", std::abs(value) < 5e-10 ? 0.0 : value);
-    line += text;
+    line += FormatText(" %.9f", std::abs(value) < 5e-10 ? 0.0 : value);
   }
   return line + "\n";
 }
@@ -60,7 +54,6 @@ std::string ScenarioJson(const std::string& scenario,
                          std::int64_t returns,
                          double path_length) {
   SimulationOptions options = simulator.options();
-  char number[64];
   std::string json = "{\n  \"scenario\": \"" + scenario + "\",\n  \"options\": {\n";
   const std::vector<OptionField> fields = options.Fields();
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -71,13 +64,11 @@ std::string ScenarioJson(const std::string& scenario,
   }
   json += "  },\n  \"format\": \"" + format + "\",\n";
   if (format == "raw") json += "  \"layout\": \"xyzdp5\",\n";
-  std::snprintf(number, sizeof(number), "%.9g", simulator.sensor().rate);
-  json += "  \"rate_hz\": " + std::string(number) + ",\n";
+  json += FormatText("  \"rate_hz\": %.9g,\n", simulator.sensor().rate);
   json += "  \"num_scans\": " + std::to_string(scans) + ",\n";
   json += "  \"num_returns\": " + std::to_string(returns) + ",\n";
-  std::snprintf(number, sizeof(number), "%.3f", path_length);
-  return json + "  \"path_length_m\": " + number +
-         ",\n  \"labels\": [\"static\", \"ghost\", \"moving\", \"clutter\", "
+  return json + FormatText("  \"path_length_m\": %.3f,\n", path_length) +
+         "  \"labels\": [\"static\", \"ghost\", \"moving\", \"clutter\", "
          "\"duplicate\", \"ambiguous\"]\n}\n";
 }
 

@@ -3,15 +3,18 @@
 
 #include "radive/registration/linearised.h"
 
+#include <glog/logging.h>
+
 #include <Eigen/Geometry>
 
 namespace radive {
 
 Linearised Linearise(const ceres::CostFunction& factor, const double* pose) {
   const int rows = factor.num_residuals();
+  CHECK_LE(rows, 6);
   Linearised result;
   result.residuals.resize(rows);
-  Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor> jacobian(rows, 7);
+  Eigen::Matrix<double, Eigen::Dynamic, 7, Eigen::RowMajor, 6, 7> jacobian(rows, 7);
   const double* blocks[] = {pose};
   double* jacobians[] = {jacobian.data()};
   factor.Evaluate(blocks, result.residuals.data(), jacobians);

@@ -9,11 +9,11 @@
 
 namespace radive {
 
-// Residuals of a factor on one pose, and its Jacobian in the tangent space
+// Residuals, at most six, of a factor on one pose, and its Jacobian in the tangent space
 // [rotation vector, translation] of a pose that is perturbed from the left.
 struct Linearised {
-  Eigen::VectorXd residuals;
-  Eigen::Matrix<double, Eigen::Dynamic, 6> jacobian;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1> residuals;
+  Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::ColMajor, 6, 6> jacobian;
 };
 
 // `pose` is a pose block [qx qy qz qw tx ty tz].

@@ -3,6 +3,8 @@
 
 #include "radive/registration/ndt_matcher.h"
 
+#include <ceres/problem.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>

@@ -13,26 +13,28 @@ namespace {
 constexpr double kSamePlace = 1e-8;  // variance of points that lie in one place [m^2]
 constexpr double kOnALine = 1e-3;    // share of the variance across a line of that along it [-]
 
-// The points as nanoflann wants to see them.
-struct Cloud {
-  std::vector<Eigen::Vector3d> points;
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return points[i][static_cast<Eigen::Index>(axis)];
-  }
-  template <typename Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using KdTree = nanoflann::
-    KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
-
 }  // namespace
 
 struct PointTree::Tree {
+  // The points as nanoflann wants to see them.
+  struct Cloud {
+    std::vector<Eigen::Vector3d> points;
+
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+      return points[i][static_cast<Eigen::Index>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box&) const {
+      return false;
+    }
+  };
+
+  using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>,
+                                                     Cloud,
+                                                     3,
+                                                     std::uint32_t>;
+
   explicit Tree(std::vector<Eigen::Vector3d> points)
       : cloud{std::move(points)}, index(3, cloud, {16}) {}
 

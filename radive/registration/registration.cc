@@ -3,12 +3,12 @@
 
 #include "radive/registration/registration.h"
 
-#include <ceres/ceres.h>
+#include <ceres/cost_function.h>
+#include <ceres/manifold.h>
+#include <ceres/problem.h>
 #include <glog/logging.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,12 +20,14 @@
 #include "radive/factors/translation_prior_factor.h"
 #include "radive/geometry/plane_basis.h"
 #include "radive/geometry/pose_manifold.h"
+#include "radive/geometry/small_matrix.h"
 #include "radive/geometry/sqrt_information.h"
 #include "radive/registration/icp_matcher.h"
 #include "radive/registration/linearised.h"
 #include "radive/registration/ndt_matcher.h"
 #include "radive/registration/scan_matcher.h"
 #include "radive/solver/solve.h"
+#include "radive/util/number_text.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
@@ -77,7 +79,7 @@ std::vector<std::unique_ptr<ceres::CostFunction>> MakePriorFactors(const Registr
 }
 
 // Columns: the tangent directions that may move.
-Eigen::MatrixXd FreeDirections(const RegistrationPriors& priors) {
+SmallMatrix FreeDirections(const RegistrationPriors& priors) {
   if (!priors.plane_normal) return Matrix6d::Identity();
   const Eigen::Vector3d n = priors.plane_normal->normalized();
   Eigen::Matrix<double, 6, 3> free = Eigen::Matrix<double, 6, 3>::Zero();
@@ -88,16 +90,16 @@ Eigen::MatrixXd FreeDirections(const RegistrationPriors& priors) {
 
 // Inverse of the curvature within the span of `free`. Where the curvature is less than a twentieth
 // of the hessian, or negative, the scan slides as well as it stands, and the twentieth is taken.
-Eigen::MatrixXd InverseCurvature(const Matrix6d& hessian,
-                                 const Matrix6d& curvature,
-                                 const Eigen::MatrixXd& free) {
+SmallMatrix InverseCurvature(const Matrix6d& hessian,
+                             const Matrix6d& curvature,
+                             const SmallMatrix& free) {
   constexpr double kSmallestShare = 0.05;
-  Eigen::MatrixXd H = free.transpose() * hessian * free;
+  SmallMatrix H = free.transpose() * hessian * free;
   H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
-  const Eigen::MatrixXd C = free.transpose() * curvature * free;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C, H);
-  const Eigen::MatrixXd V = eigen.eigenvectors();  // V^T H V = I
-  const Eigen::VectorXd shares = eigen.eigenvalues().cwiseMax(kSmallestShare);
+  const SmallMatrix C = free.transpose() * curvature * free;
+  const SmallEigen eigen = GeneralizedEigen(C, H);
+  const SmallMatrix& V = eigen.vectors;  // V^T H V = I
+  const SmallVector shares = eigen.values.cwiseMax(kSmallestShare);
   return V * shares.cwiseInverse().asDiagonal() * V.transpose();
 }
 
@@ -105,8 +107,8 @@ Eigen::MatrixXd InverseCurvature(const Matrix6d& hessian,
 Matrix6d SandwichCovariance(const Matrix6d& hessian,
                             const Matrix6d& curvature,
                             const Matrix6d& scatter,
-                            const Eigen::MatrixXd& free) {
-  const Eigen::MatrixXd bread = InverseCurvature(hessian, curvature, free) * free.transpose();
+                            const SmallMatrix& free) {
+  const SmallMatrix bread = InverseCurvature(hessian, curvature, free) * free.transpose();
   const Matrix6d covariance = bread.transpose() * (free.transpose() * scatter * free) * bread;
   return 0.5 * (covariance + covariance.transpose());
 }
@@ -116,28 +118,27 @@ Matrix6d SandwichCovariance(const Matrix6d& hessian,
 // much that the scan slides. Along a bare wall each return finds some neighbour, so H is large
 // there, but the curvature is a seventh of it; in streets it is a third at the least.
 std::vector<Eigen::Matrix<double, 6, 1>> WeakDirections(const NdtQuadratic& data,
-                                                        const Eigen::MatrixXd& free,
+                                                        const SmallMatrix& free,
                                                         const RegistrationOptions& options) {
   constexpr double kSlidingShare = 0.25;
-  Eigen::MatrixXd H = free.transpose() * data.hessian * free;
+  SmallMatrix H = free.transpose() * data.hessian * free;
   H.diagonal().array() += 1e-9;
-  const Eigen::MatrixXd agreed = H.inverse();
-  const Eigen::MatrixXd covariance = InverseCurvature(data.hessian, data.curvature, free);
+  const SmallMatrix agreed = InverseOf(H);
+  const SmallMatrix covariance = InverseCurvature(data.hessian, data.curvature, free);
   const double limits[] = {options.degenerate_rotation, options.degenerate_translation};
   const Eigen::Index num_rotations = free.cols() / 2;  // 3 of 6, or 1 of 3
   std::vector<Eigen::Matrix<double, 6, 1>> weak;
   for (int part = 0; part < 2; ++part) {
     const Eigen::Index begin = part == 0 ? 0 : num_rotations;
     const Eigen::Index size = part == 0 ? num_rotations : free.cols() - num_rotations;
-    const Eigen::MatrixXd P = covariance.block(begin, begin, size, size);
-    const Eigen::MatrixXd P_agreed = agreed.block(begin, begin, size, size);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(P, P_agreed);
+    const SmallMatrix P = covariance.block(begin, begin, size, size);
+    const SmallMatrix P_agreed = agreed.block(begin, begin, size, size);
+    const SmallEigen eigen = GeneralizedEigen(P, P_agreed);
     for (Eigen::Index i = 0; i < size; ++i) {
       // Along this direction P has the eigenvalue times the variance of P_agreed.
-      const Eigen::VectorXd direction = (P_agreed * eigen.eigenvectors().col(i)).normalized();
+      const SmallVector direction = (P_agreed * eigen.vectors.col(i)).normalized();
       const double variance = direction.dot(P * direction);
-      if (eigen.eigenvalues()[i] <= 1.0 / kSlidingShare &&
-          variance <= limits[part] * limits[part]) {
+      if (eigen.values[i] <= 1.0 / kSlidingShare && variance <= limits[part] * limits[part]) {
         continue;
       }
       weak.push_back(free.middleCols(begin, size) * direction);
@@ -266,7 +267,7 @@ RegistrationResult Register(const RegistrationInput& input,
     const NdtQuadratic quadratic = match->Quadratic(pose.data());
     Matrix6d hessian = quadratic.hessian;
     Matrix6d curvature = quadratic.curvature;
-    const Eigen::MatrixXd free = FreeDirections(priors);
+    const SmallMatrix free = FreeDirections(priors);
     // Small samples: the gradients have been fitted to.
     const double num_scan = static_cast<double>(match->num_scan_gaussians());
     Matrix6d scatter =
@@ -276,11 +277,11 @@ RegistrationResult Register(const RegistrationInput& input,
       if (priors.no_slip && factor == prior_factors.back()) {
         // What everything else knows of the lateral displacement.
         const double sigma = priors.no_slip->sigma;
-        const Eigen::RowVectorXd row = sigma * linearised.jacobian.row(0) * free;
-        Eigen::MatrixXd H = free.transpose() * hessian * free;
+        const SmallVector row = sigma * (linearised.jacobian.row(0) * free).transpose();
+        SmallMatrix H = free.transpose() * hessian * free;
         H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
         result.lateral_residual = sigma * linearised.residuals[0];
-        result.lateral_variance = row.dot(H.llt().solve(row.transpose()));
+        result.lateral_variance = row.dot(InverseOf(H) * row);
       }
       const Matrix6d information = linearised.jacobian.transpose() * linearised.jacobian;
       hessian += information;
@@ -298,7 +299,7 @@ RegistrationResult Register(const RegistrationInput& input,
   const double turned =
       RotationVector(T_submap_radar.rotation * T_prediction.rotation.conjugate()).norm();
   if (!(moved <= options.max_correction && turned <= options.max_rotation_correction)) {
-    result.message = "result is " + std::to_string(moved) + " m and " + std::to_string(turned) +
+    result.message = "result is " + NumberText(moved) + " m and " + NumberText(turned) +
                      " rad from the prediction";
     return result;
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "radive/factors/condensed_ndt_cost.h"
+#include "radive/factors/ndt_cost_options.h"
 #include "radive/ndt/distance_bounded_pairs.h"
 #include "radive/util/option_field.h"
 

@@ -3,12 +3,14 @@
 
 #pragma once
 
-#include <ceres/problem.h>
-
 #include <memory>
 
 #include "radive/factors/condensed_ndt_cost.h"
 #include "radive/geometry/rigid3.h"
+
+namespace ceres {
+class Problem;
+}  // namespace ceres
 
 namespace radive {
 

@@ -3,6 +3,8 @@
 
 #include "radive/simulation/simulation_options.h"
 
+#include "radive/util/number_text.h"
+
 namespace radive {
 namespace {
 
@@ -87,7 +89,7 @@ bool SimulationOptions::IsValid(std::string* error) const {
   if (!CheckOptions("simulation", *this, error)) return false;
   if (!(mount_position[2] > 0.0)) {
     *error = "simulation.mount_position must have z > 0 m (above ground), is " +
-             std::to_string(mount_position[2]);
+             NumberText(mount_position[2]);
     return false;
   }
   const double artefacts = ghost_share + ground_ghost_share + clutter_share + duplicate_share;
@@ -95,12 +97,12 @@ bool SimulationOptions::IsValid(std::string* error) const {
     *error =
         "simulation.ghost_share + ground_ghost_share + clutter_share + duplicate_share must be < "
         "0.95, is " +
-        std::to_string(artefacts);
+        NumberText(artefacts);
     return false;
   }
   if (outage_period > 0.0 && !(outage_length < outage_period)) {
-    *error = "simulation.outage_length must be < outage_period (" + std::to_string(outage_period) +
-             "), is " + std::to_string(outage_length);
+    *error = "simulation.outage_length must be < outage_period (" + NumberText(outage_period) +
+             "), is " + NumberText(outage_length);
     return false;
   }
   return true;

@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radive/util/angle_units.h"
+
 namespace radive {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kCornerSteps = 32;  // pieces of a corner; five-point Gauss is then exact to 1e-12 m
 
 }  // namespace

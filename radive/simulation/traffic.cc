@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "radive/util/angle_units.h"
 #include "radive/util/random.h"
 
 namespace radive {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kOncomingLane = 4.0;   // left of the driving lane [m]
 constexpr double kOncomingSpeed = 8.5;  // mean [m/s]
 constexpr double kNextGap = 26.0;       // from one car ahead to the next [m]

@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radive/util/angle_units.h"
+
 namespace radive {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kKnotStep = 0.01;    // [s]
 constexpr double kLimitStep = 0.5;    // [m]
 constexpr double kInitialHold = 1.5;  // standing at the start [s]

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "radive/util/angle_units.h"
 #include "radive/util/random.h"
 
 namespace radive {
@@ -19,7 +20,7 @@ constexpr double kBackground = 160.0;  // how far the buildings behind reach bey
 constexpr double kHouseDepth = 10.0;   // [m]
 constexpr double kBarrierStep = 3.0;   // pieces of a barrier [m]
 constexpr double kFoundation = 1.0;    // how far walls reach into sloping ground [m]
-constexpr double kTwoPi = 2.0 * 3.14159265358979323846;
+constexpr double kTwoPi = 2.0 * kPi;
 
 Terrain MakeTerrain(const WorldStyle& style, std::uint64_t seed) {
   Random random(seed);

@@ -3,13 +3,15 @@
 
 #pragma once
 
-#include <ceres/iteration_callback.h>
-#include <ceres/problem.h>
-
 #include <string>
 #include <vector>
 
 #include "radive/solver/solver_options.h"
+
+namespace ceres {
+class IterationCallback;
+class Problem;
+}  // namespace ceres
 
 namespace radive {
 

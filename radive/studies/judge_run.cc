@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "radive/io/open/read_reference.h"
 #include "radive/pipeline/run_scores.h"
 #include "radive/studies/score_run.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -40,10 +40,8 @@ bool EndedBadly(const Study& study, const RunEnd& end, RunRecord* record) {
   const std::string words = LastWords(end.output);
   const std::string behind = words.empty() ? "" : ": " + words;
   if (end.timed_out) {
-    char seconds[32];
-    std::snprintf(seconds, sizeof(seconds), "%g", study.timeout);
     record->status = "timeout";
-    record->message = std::string("not done after ") + seconds + " s";
+    record->message = FormatText("not done after %g s", study.timeout);
   } else if (end.signal != 0) {
     record->status = "crashed";
     record->message =
@@ -59,7 +57,7 @@ bool EndedBadly(const Study& study, const RunEnd& end, RunRecord* record) {
 
 bool ReadCounts(const fs::path& file, RunRecord* record, std::string* error) {
   std::string text;
-  if (!ReadTextFile(file.string(), "report of the run", &text, error)) return false;
+  if (!ReadTextFile(file.string(), "report of the run", kLargestTable, &text, error)) return false;
   const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   try {
     record->scans = json.at("frames").get<int>();
@@ -84,7 +82,7 @@ double Percentile(const std::vector<double>& sorted, double share) {
 void ReadTimes(const fs::path& file, RunTiming* timing) {
   std::string text;
   std::string ignored;
-  if (!ReadTextFile(file.string(), "times", &text, &ignored)) return;
+  if (!ReadTextFile(file.string(), "times", kLargestTable, &text, &ignored)) return;
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
@@ -98,7 +96,10 @@ void ReadTimes(const fs::path& file, RunTiming* timing) {
       begin = line.find(',', begin);
       if (begin != std::string::npos) ++begin;
     }
-    if (begin != std::string::npos) times.push_back(std::strtod(line.c_str() + begin, nullptr));
+    if (begin == std::string::npos) continue;
+    const std::string_view cell =
+        std::string_view(line).substr(begin, line.find(',', begin) - begin);
+    times.push_back(ParseDouble(cell).value_or(0.0));
   }
   std::sort(times.begin(), times.end());
   timing->ms_per_scan_median = Percentile(times, 0.5);

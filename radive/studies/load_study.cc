@@ -229,8 +229,8 @@ class StudyReader {
     if (!options) {
       std::string names;
       for (const std::string& name : ScenarioNames()) names += (names.empty() ? "" : " | ") + name;
-      return blocks_.Fail(node.Mark(),
-                          "scenario must be one of " + names + ", is " + sequence.scenario);
+      return blocks_.Fail(
+          node.Mark(), "scenario must be one of " + names + ", is " + Excerpt(sequence.scenario));
     }
     if (!keys.reference.empty()) {
       return blocks_.Fail(node.Mark(), "a scenario brings its reference along; leave it out");
@@ -272,8 +272,8 @@ class StudyReader {
     for (const StudySequence& sequence : study_.sequences) {
       for (const std::string& name : sequence.variants) {
         if (variants.count(name) == 0) {
-          *error_ = sequence.place + "sequence " + sequence.name + " names the variant " + name +
-                    ", which the study does not have";
+          *error_ = sequence.place + "sequence " + sequence.name + " names the variant " +
+                    Excerpt(name) + ", which the study does not have";
           return false;
         }
       }
@@ -289,7 +289,7 @@ class StudyReader {
       *error_ = place + "the name of a " + what +
                 " must be letters, digits and . _ + -, not begin with . or -, and have 1 to 100 "
                 "characters, is \"" +
-                name + "\"";
+                Excerpt(name) + "\"";
     } else if (!names->insert(name).second) {
       *error_ = place + "there are two " + what + "s named " + name + "; names must differ";
     } else {
@@ -321,7 +321,8 @@ std::vector<OptionField> Perturbation::Fields() {
 
 std::optional<Study> LoadStudy(const fs::path& file, const StudyRoots& roots, std::string* error) {
   std::string text;
-  if (!ReadTextFile(file.string(), "study file", &text, error)) return std::nullopt;
+  if (!ReadTextFile(file.string(), "study file", kLargestSettings, &text, error))
+    return std::nullopt;
   try {
     return StudyReader(file, roots, error).Read(YAML::Load(text));
   } catch (const YAML::Exception& exception) {

@@ -4,7 +4,6 @@
 #include "radive/studies/result_tables.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
@@ -15,6 +14,7 @@
 #include "radive/studies/run_folder.h"
 #include "radive/studies/summary.h"
 #include "radive/util/file_lock.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -22,16 +22,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string NumberText(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.9g", value);
-  return text;
-}
-std::string NumberText(int value) { return std::to_string(value); }
+std::string CellText(double value) { return FormatText("%.9g", value); }
+std::string CellText(int value) { return std::to_string(value); }
 
 template <typename Value>
 std::string Cell(const std::optional<Value>& value) {
-  return value ? NumberText(*value) : "";
+  return value ? CellText(*value) : "";
 }
 
 // As RFC 4180 has it, on one line.
@@ -127,7 +123,7 @@ bool MakeStudyFolder(const Study& study, const fs::path& output, std::string* er
   if (!lock || !WriteWholeFile(output / "study.json", StudyJson(study), error)) return false;
   if (study.published.empty()) return true;
   std::string text;
-  return ReadTextFile(study.published.string(), "published figures", &text, error) &&
+  return ReadTextFile(study.published.string(), "published figures", kLargestTable, &text, error) &&
          WriteWholeFile(output / "published.csv", text, error);
 }
 
@@ -178,11 +174,11 @@ std::string TimingsCsv(const std::vector<RunRecord>& records) {
     text += Row({record.sequence,
                  record.variant,
                  std::to_string(record.seed),
-                 NumberText(timing.wall_s),
-                 NumberText(timing.cpu_s),
-                 NumberText(timing.ms_per_scan_median),
-                 NumberText(timing.ms_per_scan_p95),
-                 NumberText(timing.max_rss_mb)});
+                 CellText(timing.wall_s),
+                 CellText(timing.cpu_s),
+                 CellText(timing.ms_per_scan_median),
+                 CellText(timing.ms_per_scan_p95),
+                 CellText(timing.max_rss_mb)});
   }
   return text;
 }

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 Json ReadJson(const fs::path& file) {
   std::string text;
   std::string ignored;
-  if (!ReadTextFile(file.string(), "file", &text, &ignored)) return Json();
+  if (!ReadTextFile(file.string(), "file", kLargestTable, &text, &ignored)) return Json();
   return Json::parse(text, nullptr, /*allow_exceptions=*/false);
 }
 

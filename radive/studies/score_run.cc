@@ -3,8 +3,8 @@
 
 #include "radive/studies/score_run.h"
 
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluate.h"
+#include "radive/util/angle_units.h"
 
 namespace radive {
 namespace {

@@ -4,28 +4,32 @@
 #include "radive/studies/study_blocks.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cstdint>
+#include <string_view>
 
 #include "radive/config/run_config.h"
 #include "radive/config/setting_text.h"
 #include "radive/config/yaml_settings.h"
+#include "radive/util/number_text.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
 
 // "0-4", "3" or [0, 1, 2]: ascending or not, but without repetition.
 bool ParseSeeds(const SettingText& text, std::vector<int>* seeds) {
-  constexpr int kMaxSeed = 1000000;
+  constexpr std::uint64_t kMaxSeed = 1000000;
+  constexpr std::size_t kMostSeeds = 10000;
   seeds->clear();
   for (const std::string& word : text.words) {
-    int first = 0;
-    int last = 0;
-    char end = '\0';
-    const int count = std::sscanf(word.c_str(), "%9d-%9d%c", &first, &last, &end);
-    if (count == 1 && std::to_string(first) == word) last = first;
-    const bool is_range = count == 2 && !text.is_list && last >= first;
-    if (!(is_range || (count == 1 && last == first)) || first < 0 || last > kMaxSeed) return false;
-    for (int seed = first; seed <= last; ++seed) seeds->push_back(seed);
+    const std::size_t dash = text.is_list ? std::string::npos : word.find('-');
+    const auto first = ParseCount(std::string_view(word).substr(0, dash));
+    const auto last = dash == std::string::npos ? first : ParseCount(word.substr(dash + 1));
+    if (!first || !last || *last < *first || *last > kMaxSeed) return false;
+    if (*last - *first >= kMostSeeds - seeds->size()) return false;
+    for (std::uint64_t seed = *first; seed <= *last; ++seed) {
+      seeds->push_back(static_cast<int>(seed));
+    }
   }
   std::vector<int> sorted = *seeds;
   std::sort(sorted.begin(), sorted.end());
@@ -54,7 +58,7 @@ bool StudyBlocks::Read(const YAML::Node& block,
   for (const auto& entry : block) {
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
     if (!seen.insert(key).second)
-      return Fail(entry.first.Mark(), name + "." + key + " is set twice");
+      return Fail(entry.first.Mark(), name + "." + Excerpt(key) + " is set twice");
     if (special.count(key) > 0) {
       if (!read(key, entry.second, entry.first.Mark())) return false;
     } else {
@@ -77,9 +81,9 @@ bool StudyBlocks::ReadSet(const YAML::Node& block, const YAML::Mark& mark, std::
     const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
     const std::size_t dot = key.find('.');
     if (dot == std::string::npos) {
-      return Fail(entry.first.Mark(), "expected stage.field: value, got \"" + key + "\"");
+      return Fail(entry.first.Mark(), "expected stage.field: value, got \"" + Excerpt(key) + "\"");
     }
-    if (!seen.insert(key).second) return Fail(entry.first.Mark(), key + " is set twice");
+    if (!seen.insert(key).second) return Fail(entry.first.Mark(), Excerpt(key) + " is set twice");
     SettingText text;
     const std::string stage = key.substr(0, dot);
     OptionField* field = FindField(stage, key.substr(dot + 1), &stages, error_);
@@ -102,8 +106,8 @@ bool StudyBlocks::ReadSeeds(const YAML::Node& node,
   return Fail(mark,
               key +
                   " must be a number, a range like 0-4 or a list like [0, 1, 2] without "
-                  "repetition, is " +
-                  text.ToString());
+                  "repetition, at most 10000 from 0 to 1000000, is " +
+                  (node.IsMap() ? "a block" : Excerpt(text.ToString())));
 }
 
 bool StudyBlocks::ReadNames(const YAML::Node& node,

@@ -71,7 +71,8 @@ std::optional<std::string> StudyInput::Signature() const {
 std::optional<std::string> StudyInput::KnownHash() const {
   std::string text;
   std::string ignored;
-  if (!ReadTextFile(Note(".json").string(), "note", &text, &ignored)) return std::nullopt;
+  if (!ReadTextFile(Note(".json").string(), "note", kLargestTable, &text, &ignored))
+    return std::nullopt;
   const auto note = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   const auto signature = Signature();
   if (!note.is_object() || !signature || note.value("signature", "") != *signature) {

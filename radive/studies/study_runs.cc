@@ -129,7 +129,8 @@ std::string ConfigHash(const Study& study, const StudyRun& run) {
   const std::string& decoder_file = run.config.odometry.neural_map.decoder_file;
   std::string decoder;
   std::string ignored;
-  if (!decoder_file.empty()) ReadTextFile(decoder_file, "decoder file", &decoder, &ignored);
+  if (!decoder_file.empty())
+    ReadTextFile(decoder_file, "decoder file", kLargestSettings, &decoder, &ignored);
   hash.AddPart(decoder);
   for (const int number : {run.start, run.frames, study.threads}) {
     hash.AddPart(std::to_string(number));

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "radive/studies/bootstrap.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -118,18 +118,11 @@ SummaryRow RowOf(const std::string& variant,
   return row;
 }
 
-std::string Cell(const std::optional<double>& value) {
-  if (!value) return "";
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.9g", *value);
-  return text;
+std::string NumberCell(const std::optional<double>& value) {
+  return value ? FormatText("%.9g", *value) : "";
 }
 
-std::string Fixed(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", digits, value);
-  return text;
-}
+std::string Fixed(double value, int digits) { return FormatText("%.*f", digits, value); }
 
 std::string RatioText(const Estimate& ratio) {
   if (!ratio.value) return "-";
@@ -199,7 +192,7 @@ std::string SummaryCsv(const std::vector<SummaryRow>& rows) {
     text += row.variant + "," + row.sequence + "," + row.metric + "," + std::to_string(row.runs) +
             "," + std::to_string(row.ok);
     for (const auto& value : {row.median, row.q25, row.q75, row.min, row.max}) {
-      text += "," + Cell(value);
+      text += "," + NumberCell(value);
     }
     text += "," + std::to_string(row.pairs);
     for (const auto& value : {row.difference.value,
@@ -210,7 +203,7 @@ std::string SummaryCsv(const std::vector<SummaryRow>& rows) {
                               row.ratio.high,
                               row.ratio_over_drives.low,
                               row.ratio_over_drives.high}) {
-      text += "," + Cell(value);
+      text += "," + NumberCell(value);
     }
     text += "\n";
   }

@@ -16,42 +16,6 @@ namespace {
 constexpr std::size_t kMaxLabelPoints = 64;
 constexpr double kMinSmoothWidth = 0.2;  // of the neural points of a smooth plane, in kernels
 
-// The points as nanoflann wants to see them.
-struct Cloud {
-  struct Point {
-    Eigen::Vector3d position;
-    double weight;
-    std::uint32_t scan;
-  };
-  std::vector<Point> points;
-  std::vector<Eigen::Vector3d> origins;  // one a scan
-
-  std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return points[i].position[static_cast<Eigen::Index>(axis)];
-  }
-  template <typename Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
-
-using KdTree = nanoflann::
-    KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::uint32_t>;
-
-Cloud MakeCloud(const std::vector<const LabelScan*>& window) {
-  Cloud cloud;
-  for (const LabelScan* scan : window) {
-    const std::uint32_t index = static_cast<std::uint32_t>(cloud.origins.size());
-    cloud.origins.push_back(scan->origin);
-    for (std::size_t i = 0; i < scan->points.size(); ++i) {
-      if (!scan->points[i].allFinite() || !(scan->weights[i] > 0.0)) continue;
-      cloud.points.push_back({scan->points[i], scan->weights[i], index});
-    }
-  }
-  return cloud;
-}
-
 // Weighted moments of points about a position, and the plane through them.
 class PlaneSums {
  public:
@@ -112,6 +76,44 @@ class PlaneSums {
 }  // namespace
 
 struct SdfLabels::Tree {
+  // The points as nanoflann wants to see them.
+  struct Cloud {
+    struct Point {
+      Eigen::Vector3d position;
+      double weight;
+      std::uint32_t scan;
+    };
+    std::vector<Point> points;
+    std::vector<Eigen::Vector3d> origins;  // one a scan
+
+    std::size_t kdtree_get_point_count() const { return points.size(); }
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+      return points[i].position[static_cast<Eigen::Index>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box&) const {
+      return false;
+    }
+  };
+
+  using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>,
+                                                     Cloud,
+                                                     3,
+                                                     std::uint32_t>;
+
+  static Cloud MakeCloud(const std::vector<const LabelScan*>& window) {
+    Cloud cloud;
+    for (const LabelScan* scan : window) {
+      const std::uint32_t index = static_cast<std::uint32_t>(cloud.origins.size());
+      cloud.origins.push_back(scan->origin);
+      for (std::size_t i = 0; i < scan->points.size(); ++i) {
+        if (!scan->points[i].allFinite() || !(scan->weights[i] > 0.0)) continue;
+        cloud.points.push_back({scan->points[i], scan->weights[i], index});
+      }
+    }
+    return cloud;
+  }
+
   explicit Tree(Cloud points) : cloud(std::move(points)), index(3, cloud, {16}) {}
 
   std::size_t Nearest(const Eigen::Vector3d& position,
@@ -132,7 +134,7 @@ SdfLabels::SdfLabels(const std::vector<const LabelScan*>& window,
                      bool is_planar)
     : map_(map), options_(options), is_planar_(is_planar) {
   if (IsSmooth()) return;
-  Cloud cloud = MakeCloud(window);
+  Tree::Cloud cloud = Tree::MakeCloud(window);
   if (!cloud.points.empty()) tree_ = std::make_unique<Tree>(std::move(cloud));
 }
 
@@ -155,7 +157,7 @@ std::optional<LocalPlane> SdfLabels::NearestPlane(const Eigen::Vector3d& positio
       tree_->Nearest(position, options_.label_points, &found, &squared_distance);
   PlaneSums sums(position);
   for (std::size_t i = 0; i < count; ++i) {
-    const Cloud::Point& point = tree_->cloud.points[found[i]];
+    const Tree::Cloud::Point& point = tree_->cloud.points[found[i]];
     sums.Add(point.position,
              point.weight,
              point.weight,
@@ -187,7 +189,7 @@ std::optional<SdfLabel> SdfLabels::At(const Eigen::Vector3d& position) const {
     std::array<std::uint32_t, kMaxLabelPoints> found;
     std::array<double, kMaxLabelPoints> squared_distance;
     tree_->Nearest(position, 1, &found, &squared_distance);
-    const Cloud::Point& nearest = tree_->cloud.points[found[0]];
+    const Tree::Cloud::Point& nearest = tree_->cloud.points[found[0]];
     label.weight = nearest.weight;
     if (options_.label == SdfTrainingOptions::Label::kUnsigned) {
       label.distance = std::sqrt(squared_distance[0]);

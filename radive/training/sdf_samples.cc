@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radive/geometry/rotation_between.h"
 #include "radive/util/random.h"
 
 namespace radive {
@@ -71,8 +72,7 @@ void InitialisePoints(NeuralPoints* map,
     const std::optional<LocalPlane> plane = labels.PlaneAt(point.position);
     if (!plane) continue;
     if (map->options().orientation == NeuralMapOptions::Orientation::kNormal) {
-      point.orientation =
-          Eigen::Quaterniond::FromTwoVectors(plane->normal, Eigen::Vector3d::UnitZ());
+      point.orientation = RotationBetween(plane->normal, Eigen::Vector3d::UnitZ());
     }
     const std::vector<double> feature = FirstFeature(
         map->options(), plane->normal.dot(point.position - plane->point), plane->normal);

@@ -14,6 +14,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "radive/util/number_text.h"
+
 namespace radive {
 namespace {
 
@@ -102,13 +104,9 @@ void ContentHash::AddPart(std::string_view text) {
 
 std::string ContentHash::Hex() const {
   const XXH128_hash_t hash = XXH3_128bits_digest(&state_->xxh);
-  char text[33];
-  std::snprintf(text,
-                sizeof(text),
-                "%016llx%016llx",
-                static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return text;
+  return FormatText("%016llx%016llx",
+                    static_cast<unsigned long long>(hash.high64),
+                    static_cast<unsigned long long>(hash.low64));
 }
 
 std::string HashText(std::string_view text) {

@@ -4,21 +4,21 @@
 #include "radive/util/option_field.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+
+#include "radive/util/number_text.h"
+#include "radive/util/text.h"
 
 namespace radive {
 namespace {
 
 // The shortest text that reads back as the same double.
-std::string NumberText(double value) {
-  char text[40];
-  for (int digits = 6; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value) break;
-  }
+std::string ShortestText(double value) {
   if (std::isnan(value)) return ".nan";
   if (std::isinf(value)) return value > 0 ? ".inf" : "-.inf";
+  std::string text;
+  for (int digits = 6; digits <= 17 && ParseDouble(text) != value; ++digits) {
+    text = FormatText("%.*g", digits, value);
+  }
   return text;
 }
 
@@ -51,8 +51,8 @@ std::string OptionField::Rule() const {
     }
     return rule;
   }
-  if (std::isfinite(min)) rule = (exclude_min ? "> " : ">= ") + NumberText(min);
-  if (std::isfinite(max)) rule += (rule.empty() ? "<= " : " and <= ") + NumberText(max);
+  if (std::isfinite(min)) rule = (exclude_min ? "> " : ">= ") + ShortestText(min);
+  if (std::isfinite(max)) rule += (rule.empty() ? "<= " : " and <= ") + ShortestText(max);
   if (list_size >= 0) {
     rule = std::to_string(list_size) + " numbers" + (rule.empty() ? "" : ", each " + rule);
   }
@@ -61,13 +61,13 @@ std::string OptionField::Rule() const {
 
 std::string OptionField::ToString() const {
   struct Printer {
-    std::string operator()(const double* v) const { return NumberText(*v); }
+    std::string operator()(const double* v) const { return ShortestText(*v); }
     std::string operator()(const int* v) const { return std::to_string(*v); }
     std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
     std::string operator()(const std::string* v) const { return QuotedText(*v); }
     std::string operator()(const std::vector<double>* v) const {
       std::string text = "[";
-      for (const double entry : *v) text += (text.size() > 1 ? ", " : "") + NumberText(entry);
+      for (const double entry : *v) text += (text.size() > 1 ? ", " : "") + ShortestText(entry);
       return text + "]";
     }
     std::string operator()(const Choice& v) const {
@@ -95,7 +95,7 @@ bool OptionField::Check(const std::string& stage, std::string* error) const {
   }
   if (ok) return true;
   const std::string unit_text = unit.empty() || unit == "-" ? "" : " " + unit;
-  *error = stage + "." + name + " must be " + Rule() + unit_text + ", is " + ToString();
+  *error = stage + "." + name + " must be " + Rule() + unit_text + ", is " + Excerpt(ToString());
   return false;
 }
 

@@ -5,9 +5,12 @@
 
 #include <sys/resource.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <fstream>
 #include <string>
+#include <string_view>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 
@@ -24,7 +27,12 @@ double PeakMemoryMegabytes() {
   // getrusage would report the parent's peak when that was larger at the time of the fork.
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.rfind("VmHWM:", 0) == 0) return std::strtod(line.c_str() + 6, nullptr) * 1024 / 1e6;
+    if (line.rfind("VmHWM:", 0) != 0) continue;
+    const std::size_t begin = std::min(line.find_first_of("0123456789"), line.size());
+    const std::size_t end = line.find_first_not_of("0123456789", begin);
+    if (const auto kilobytes = ParseCount(std::string_view(line).substr(begin, end - begin))) {
+      return static_cast<double>(*kilobytes) * 1024 / 1e6;
+    }
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radive/util/number_text.h"
+
 namespace radive {
 namespace {
 
@@ -18,13 +20,8 @@ constexpr double kLineInterval = 5.0;  // between two lines of a log [s]
 // 3725 s -> "1:02:05", 65 s -> "1:05".
 std::string ClockText(double seconds) {
   const long total = std::lround(std::ceil(seconds));
-  char text[40];
-  if (total >= 3600) {
-    std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld", total / 3600, total / 60 % 60, total % 60);
-  } else {
-    std::snprintf(text, sizeof(text), "%ld:%02ld", total / 60, total % 60);
-  }
-  return text;
+  return total >= 3600 ? FormatText("%ld:%02ld:%02ld", total / 3600, total / 60 % 60, total % 60)
+                       : FormatText("%ld:%02ld", total / 60, total % 60);
 }
 
 }  // namespace
@@ -34,10 +31,8 @@ std::string ProgressLine(int done,
                          double elapsed,
                          const std::string& unit) {
   const double rate = elapsed > 0.0 ? done / elapsed : 0.0;
-  char text[160];
   if (!total || *total <= 0) {
-    std::snprintf(text, sizeof(text), "%d %s  %.1f %s/s", done, unit.c_str(), rate, unit.c_str());
-    return text;
+    return FormatText("%d %s  %.1f %s/s", done, unit.c_str(), rate, unit.c_str());
   }
   const double share = std::min(1.0, static_cast<double>(done) / *total);
   const int filled = static_cast<int>(share * kBarWidth);
@@ -46,17 +41,14 @@ std::string ProgressLine(int done,
   bar.resize(kBarWidth, ' ');
   const double left = std::max(0, *total - done);
   const std::string eta = rate > 0.0 ? ClockText(left / rate) : "-:--";
-  std::snprintf(text,
-                sizeof(text),
-                "[%s] %d/%d %s  %.1f %s/s  ETA %s",
-                bar.c_str(),
-                done,
-                *total,
-                unit.c_str(),
-                rate,
-                unit.c_str(),
-                eta.c_str());
-  return text;
+  return FormatText("[%s] %d/%d %s  %.1f %s/s  ETA %s",
+                    bar.c_str(),
+                    done,
+                    *total,
+                    unit.c_str(),
+                    rate,
+                    unit.c_str(),
+                    eta.c_str());
 }
 
 Progress::Mode Progress::ModeFor(std::FILE* stream) {

@@ -118,6 +118,36 @@ TEST(LoadRunConfig, NamesAFileThatCannotBeRead) {
   EXPECT_THAT(error, HasSubstr("is a folder"));
 }
 
+TEST(LoadRunConfig, BoundsWhatItReadsAndQuotes) {
+  const testing::ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "long.yaml";
+  std::ofstream(file) << "#" << std::string(1 << 20, 'x');
+  std::string error;
+  EXPECT_FALSE(LoadRunConfig(file.string(), "", &error));
+  EXPECT_THAT(error, HasSubstr("cannot read the configuration file: larger than 1048576 bytes"));
+  EXPECT_FALSE(LoadRunConfig("/dev/zero", "", &error));
+  EXPECT_THAT(error, HasSubstr("/dev/zero: cannot read the configuration file: larger than"));
+
+  const std::string word(100000, 'a');
+  for (const std::string& text : {"submap:\n  num_keyframes: " + word,
+                                  "submap:\n  type: " + word,
+                                  "submap:\n  ? " + word + "\n  : 1",
+                                  "? " + word + "\n: {}",
+                                  "sensor:\n  mounts: [" + word + "]"}) {
+    const std::string message = ErrorOfYaml(text);
+    EXPECT_THAT(message, HasSubstr(std::string(60, 'a').substr(0, 55)));
+    EXPECT_LT(message.size(), 1000U);
+  }
+  EXPECT_LT(ErrorOfSet("submap.type=" + word).size(), 1000U);
+  EXPECT_LT(ErrorOfSet(word).size(), 1000U);
+}
+
+TEST(LoadRunConfig, BoundsTheMesh) {
+  EXPECT_THAT(ErrorOfSet("submap.type=sdf,output.map=mesh,output.mesh_resolution=1e-3"),
+              HasSubstr("output.mesh_resolution must be >= a tenth of neural_map.resolution "
+                        "(0.5 m), is 0.001 m"));
+}
+
 // A value that differs from the default, obeys the bounds and is awkward to print.
 void ChangeValue(OptionField* field) {
   struct Changer {

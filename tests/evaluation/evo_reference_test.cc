@@ -12,9 +12,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/evaluate.h"
 #include "radive/io/trajectories/trajectory_io.h"
+#include "radive/util/angle_units.h"
 #include "tests/shared_data.h"
 
 namespace radive {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "radive/evaluation/absolute_pose_error.h"
-#include "radive/evaluation/angle_units.h"
 #include "radive/evaluation/relative_pose_error.h"
+#include "radive/util/angle_units.h"
 #include "tests/evaluation/evaluation_test_utils.h"
 
 namespace radive {

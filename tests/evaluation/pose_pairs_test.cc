@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
 #include "tests/evaluation/evaluation_test_utils.h"
 
 namespace radive {

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
 #include "tests/evaluation/evaluation_test_utils.h"
 
 namespace radive {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "radive/evaluation/angle_units.h"
+#include "radive/util/angle_units.h"
 #include "tests/evaluation/evaluation_test_utils.h"
 
 namespace radive {

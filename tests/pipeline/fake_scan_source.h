@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -64,13 +65,45 @@ class FakeScanSource : public ScanSource {
   std::size_t num_read_ = 0;
 };
 
-// `count` scans at 10 Hz of a radar that drives straight on.
+// What a radar at `t_world_radar` that moves with `v_radar` [m/s] and never turns sees of a lasting
+// world: posts a few metres apart, those within 60 m, the nearest first.
+inline RadarScan ScanOfPosts(std::int64_t stamp_ns,
+                             const Eigen::Vector3d& t_world_radar,
+                             const Eigen::Vector3d& v_radar,
+                             double doppler_sign) {
+  RadarScan scan;
+  scan.stamp_ns = stamp_ns;
+  scan.has_doppler = true;
+  const auto nearest = [](double metres) { return static_cast<int>(std::floor(metres / 8.0)); };
+  const int column = nearest(t_world_radar.x()), row = nearest(t_world_radar.y());
+  for (int x = column - 7; x <= column + 7; ++x) {
+    for (int y = row - 7; y <= row + 7; ++y) {
+      const double shift = 3.0 * std::sin(12.9 * x + 78.2 * y + 0.4);
+      const Eigen::Vector3d post(8.0 * x + shift,
+                                 8.0 * y + 3.0 * std::sin(39.3 * x + 11.1 * y + 0.9),
+                                 std::sin(5.1 * x + 2.7 * y + 1.3));
+      RadarReturn ret;
+      ret.position = post - t_world_radar;
+      const double range = ret.position.norm();
+      if (range < 2.0 || range > 60.0) continue;
+      ret.doppler = -doppler_sign * ret.position.dot(v_radar) / range;
+      scan.returns.push_back(ret);
+    }
+  }
+  std::sort(
+      scan.returns.begin(), scan.returns.end(), [](const RadarReturn& a, const RadarReturn& b) {
+        return a.position.norm() < b.position.norm();
+      });
+  return scan;
+}
+
+// `count` scans at 10 Hz of a radar that drives straight on through the posts.
 inline std::vector<RadarScan> StaticScans(int count,
                                           const Eigen::Vector3d& v_radar,
                                           double doppler_sign) {
   std::vector<RadarScan> scans;
   for (int i = 0; i < count; ++i) {
-    scans.push_back(StaticScan(100'000'000LL * i, v_radar, doppler_sign));
+    scans.push_back(ScanOfPosts(100'000'000LL * i, 0.1 * i * v_radar, v_radar, doppler_sign));
   }
   return scans;
 }

@@ -222,7 +222,7 @@ TEST(RunSequence, StartBehindTheEndIsAnError) {
 TEST(RunSequence, AnInterruptedRunFinishesItsFiles) {
   const ScratchFolder scratch;
   RunConfig config;
-  config.input.doppler_sign = InputOptions::DopplerSign::kPlus;  // so that no scan is held back
+  config.odometry.ego_velocity.enabled = false;  // so that no scan is held back
   std::atomic<bool> stop{false};
   RunRequest request = RequestFor(scratch.path());
   request.stop = &stop;

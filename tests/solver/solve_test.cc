@@ -4,6 +4,8 @@
 #include "radive/solver/solve.h"
 
 #include <ceres/autodiff_cost_function.h>
+#include <ceres/iteration_callback.h>
+#include <ceres/problem.h>
 #include <gtest/gtest.h>
 
 #include <limits>

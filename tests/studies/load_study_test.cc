@@ -291,5 +291,23 @@ TEST(StudyRuns, NameTheSequenceWhoseSettingsDoNotFit) {
   EXPECT_THAT(error, HasSubstr("nowhere.yaml: cannot read the configuration file"));
 }
 
+std::string ErrorOf(const fs::path& folder, const std::string& text) {
+  std::string error;
+  EXPECT_FALSE(LoadStudy(WriteTextFile(folder / "study.yaml", text), {}, &error)) << text;
+  return error;
+}
+
+TEST(LoadStudy, NamesBlocksWhereNumbersBelong) {
+  const ScratchFolder scratch;
+  const std::string error = ErrorOf(scratch.path(), std::string("seeds: {a: 1}\n") + kSequences);
+  EXPECT_THAT(error, HasSubstr("study.yaml:1: seeds must be a number, a range"));
+  EXPECT_THAT(error, HasSubstr("is a block"));
+  EXPECT_THAT(
+      ErrorOf(scratch.path(), "sequences:\n  - {scenario: street_sparse, drives: {a: 1}}\n"),
+      HasSubstr("study.yaml:2: drives must be a number, a range"));
+  EXPECT_THAT(ErrorOf(scratch.path(), std::string("seeds: 0-999999\n") + kSequences),
+              HasSubstr("at most 10000"));
+}
+
 }  // namespace
 }  // namespace radive

@@ -7,17 +7,18 @@
 #include <limits>
 #include <utility>
 
+#include "radive/io/bags/mcap_format.h"
 #include "radive/io/bytes/byte_reader.h"
 #include "radive/io/bytes/checksum.h"
+#include "radive/io/bytes/random_access_file.h"
 #include "radive/io/bytes/text_lines.h"
 
 namespace radive {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr std::uint64_t kRecordHead = 9;    // opcode and length [bytes]
 constexpr std::uint64_t kMessageHead = 22;  // channel, sequence, two times [bytes]
-constexpr std::uint64_t kFooter = kRecordHead + 20 + kMagic.size();  // [bytes]
+constexpr std::uint64_t kFooter = kRecordHead + 20 + kMcapMagic.size();  // [bytes]
 // Schemas are pages of text, not books [bytes].
 constexpr std::uint64_t kLargestDefinition = 1 << 24;
 
@@ -31,8 +32,6 @@ constexpr std::uint8_t kOpChunkIndex = 0x08;
 constexpr std::uint8_t kOpStatistics = 0x0B;
 constexpr std::uint8_t kOpDataEnd = 0x0F;
 
-std::string AtByte(std::uint64_t position) { return "at byte " + std::to_string(position); }
-
 // Times are unsigned; none is beyond the year 2262.
 std::int64_t Nanoseconds(std::uint64_t time) {
   constexpr std::uint64_t kLast = std::numeric_limits<std::int64_t>::max();
@@ -45,8 +44,9 @@ std::unique_ptr<McapReader> McapReader::Open(std::unique_ptr<RandomAccessFile> f
                                              const MessageLimits& limits,
                                              std::string* error) {
   std::string buffer;
-  const auto start = file->Read(0, std::min<std::uint64_t>(kMagic.size(), file->size()), &buffer);
-  if (!start || *start != kMagic) {
+  const auto start =
+      file->Read(0, std::min<std::uint64_t>(kMcapMagic.size(), file->size()), &buffer);
+  if (!start || *start != kMcapMagic) {
     *error = file->name() + ": starts with " + Quoted(start.value_or(std::string_view())) +
              ", expected an MCAP file with byte 137 and 'MCAP0'";
     return nullptr;
@@ -57,13 +57,26 @@ std::unique_ptr<McapReader> McapReader::Open(std::unique_ptr<RandomAccessFile> f
   if (!reader->has_summary_) {
     reader->Forget();
     reader->Scan();
-    reader->Warn("files without a summary", reason + ": read from the start to the end instead");
+    // Messages outside of chunks are in no index, which is no fault.
+    if (reason.empty()) {
+      reader->CheckCount();
+    } else {
+      reader->Warn("files without a summary", reason + ": read from the start to the end instead");
+    }
+  }
+  if (!reader->unknown_compression_.empty() && !reader->has_known_chunk_) {
+    *error = reader->file_name() + ": its chunks have the compression " +
+             reader->unknown_compression_ + ", expected none, lz4 or zstd";
+    return nullptr;
   }
   return reader;
 }
 
 std::string McapReader::Description() const {
-  return "MCAP file " + file_name() + (has_summary_ ? "" : " (without summary)");
+  return "MCAP file " + file_name() +
+         (has_summary_    ? ""
+          : is_unchunked_ ? " (without chunks)"
+                          : " (without summary)");
 }
 
 bool McapReader::ReadRecord(RandomAccessFile* content, std::uint64_t position, Record* record) {
@@ -82,10 +95,10 @@ bool McapReader::ReadRecord(RandomAccessFile* content, std::uint64_t position, R
 bool McapReader::ReadSummary(std::string* reason) {
   std::string buffer;
   const std::uint64_t size = file()->size();
-  const auto footer = size < kMagic.size() + kFooter
+  const auto footer = size < kMcapMagic.size() + kFooter
                           ? std::nullopt
                           : file()->Read(size - kFooter, kFooter, &buffer);
-  if (!footer || footer->substr(kFooter - kMagic.size()) != kMagic ||
+  if (!footer || footer->substr(kFooter - kMcapMagic.size()) != kMcapMagic ||
       static_cast<std::uint8_t>(footer->front()) != kOpFooter) {
     *reason = "the file was not closed, or is cut off";
     return false;
@@ -99,7 +112,7 @@ bool McapReader::ReadSummary(std::string* reason) {
   reader.U64();  // where its offsets are
   if (const std::uint32_t crc = reader.U32(); crc != 0 && position < size - kFooter) {
     // Up to the checksum itself, at the end of the footer.
-    constexpr std::uint64_t kBehind = 4 + kMagic.size();
+    constexpr std::uint64_t kBehind = 4 + kMcapMagic.size();
     FilePart checked(file(), position, size - kBehind - position);
     if (Crc32(&checked) != crc) {
       *reason = "the summary is not what its checksum says";
@@ -119,6 +132,8 @@ bool McapReader::ReadSummary(std::string* reason) {
     *reason = "the summary should be " + AtByte(position);
     return false;
   }
+  is_unchunked_ = num_chunks_ == 0 && num_chunks_listed_ == 0 && num_messages_.value_or(0) > 0;
+  if (is_unchunked_) return false;
   if (num_chunks_listed_ == 0 ? num_messages_ != 0u
                               : num_messages_ && num_chunks_ != num_chunks_listed_) {
     *reason = "the summary does not list the chunks";
@@ -143,6 +158,26 @@ bool McapReader::ReadSummaryRecord(std::uint8_t opcode, std::string_view data) {
   return !reader.failed();
 }
 
+std::optional<Compression> McapReader::TakeCompression(std::string_view name) {
+  const std::optional<Compression> compression = CompressionOfName(name);
+  if (compression) {
+    has_known_chunk_ = true;
+  } else {
+    unknown_compression_ = Quoted(name);
+  }
+  return compression;
+}
+
+// After a scan: whether all messages of the summary are there.
+void McapReader::CheckCount() {
+  std::uint64_t found = 0;
+  for (const MessageTopic& topic : topics_) found += topic.num_messages.value_or(0);
+  if (!num_messages_ || found == *num_messages_) return;
+  Warn("files without all messages",
+       "the summary counts " + std::to_string(*num_messages_) + " messages, the file holds " +
+           std::to_string(found));
+}
+
 bool McapReader::AddChunkOfIndex(std::string_view data) {
   ByteReader reader(data);
   const std::int64_t start_ns = Nanoseconds(reader.U64());
@@ -155,6 +190,8 @@ bool McapReader::AddChunkOfIndex(std::string_view data) {
     channels.U64();
     if (channels.failed() || !IsConnection(channel)) return false;
   }
+  reader.U64();  // size of the message indexes
+  TakeCompression(reader.String());
   if (reader.failed() || position >= file()->size()) return false;
   ++num_chunks_listed_;
   AddChunk({position, start_ns, 0});
@@ -198,7 +235,7 @@ std::optional<McapReader::MessageHead> McapReader::ReadMessageHead(RandomAccessF
 // Finds the chunks by walking from record to record.
 void McapReader::Scan() {
   constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-  std::uint64_t position = kMagic.size();
+  std::uint64_t position = kMcapMagic.size();
   ChunkPlace bare = {0, kNever, 0};  // the messages outside of chunks since the last other record
   const auto close_bare = [&] {
     if (bare.bare_size > 0) AddChunk(bare);
@@ -257,7 +294,7 @@ bool McapReader::ReadChunkHeader(std::uint64_t position, ChunkHeader* header, st
   const auto tail = file()->Read(name_position, name_size + std::uint64_t{8}, &buffer);
   if (!tail) return false;
   const std::string_view name = tail->substr(0, name_size);
-  const auto compression = CompressionOfName(name);
+  const auto compression = TakeCompression(name);
   if (!compression) {
     *reason = "a chunk with compression " + Quoted(name);
     return false;

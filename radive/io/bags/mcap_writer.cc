@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "radive/io/bags/mcap_format.h"
 #include "radive/io/bags/point_cloud_encoding.h"
 #include "radive/io/bytes/checksum.h"
 #include "radive/io/points/point_table.h"
@@ -15,19 +16,11 @@
 namespace radive {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-
-template <typename Unsigned>
-std::string Bytes(Unsigned value) {
-  std::string bytes;
-  AppendLittleEndian(value, &bytes);
-  return bytes;
-}
-std::string U16(std::size_t value) { return Bytes(static_cast<std::uint16_t>(value)); }
-std::string U32(std::size_t value) { return Bytes(static_cast<std::uint32_t>(value)); }
-std::string U64(std::uint64_t value) { return Bytes(value); }
+std::string U16(std::size_t value) { return LittleEndian(static_cast<std::uint16_t>(value)); }
+std::string U32(std::size_t value) { return LittleEndian(static_cast<std::uint32_t>(value)); }
+std::string U64(std::uint64_t value) { return LittleEndian(value); }
 std::string Time(std::int64_t time_ns) { return U64(static_cast<std::uint64_t>(time_ns)); }
-std::string Sized(const std::string& bytes) { return U32(bytes.size()) + bytes; }
+std::string McapSized(const std::string& bytes) { return U32(bytes.size()) + bytes; }
 
 std::string Record(std::uint8_t opcode, const std::string& data) {
   return static_cast<char>(opcode) + U64(data.size()) + data;
@@ -42,8 +35,8 @@ std::unique_ptr<McapWriter> McapWriter::Create(const std::filesystem::path& path
   std::unique_ptr<OutputStream> file = OutputStream::Create(path, error);
   if (file == nullptr) return nullptr;
   std::unique_ptr<McapWriter> writer(new McapWriter(std::move(file), options));
-  writer->file_->Append(kMagic);
-  writer->file_->Append(Record(0x01, Sized("ros2") + Sized("radive")));  // header
+  writer->file_->Append(kMcapMagic);
+  writer->file_->Append(Record(0x01, McapSized("ros2") + McapSized("radive")));  // header
   return writer;
 }
 
@@ -54,10 +47,10 @@ int McapWriter::AddTopic(const MessageTopic& topic) {
       topic.type == "sensor_msgs/PointCloud2" || topic.type == "sensor_msgs/msg/PointCloud2";
   const std::string definition = is_cloud ? PointCloud2Definition(topic.encoding) : "";
   // Schemas count from 1: 0 means that there is none.
-  const std::string schema =
-      U16(id + 1) + Sized(topic.type) + Sized(is_ros1 ? "ros1msg" : "ros2msg") + Sized(definition);
+  const std::string schema = U16(id + 1) + McapSized(topic.type) +
+                             McapSized(is_ros1 ? "ros1msg" : "ros2msg") + McapSized(definition);
   const std::string channel =
-      U16(id) + U16(id + 1) + Sized(topic.name) + Sized(topic.encoding) + Sized("");
+      U16(id) + U16(id + 1) + McapSized(topic.name) + McapSized(topic.encoding) + McapSized("");
   channels_.push_back({Record(0x03, schema) + Record(0x04, channel), false, 0});
   return static_cast<int>(id);
 }
@@ -91,18 +84,18 @@ void McapWriter::CloseChunk() {
       options_.compression == Compression::kNone ? "" : NameOf(options_.compression);
   file_->Append(Record(0x06,
                        Time(chunk_start_ns_) + Time(chunk_end_ns_) + U64(chunk_.size()) +
-                           U32(Crc32(chunk_)) + Sized(name) + U64(packed.size()) + packed));
+                           U32(Crc32(chunk_)) + McapSized(name) + U64(packed.size()) + packed));
   const std::uint64_t index_position = file_->size();
   std::string places;
   for (const auto& [channel, entries] : index_) {
     if (!options_.index) continue;
     places += U16(static_cast<std::size_t>(channel)) + U64(file_->size());
-    file_->Append(Record(0x07, U16(static_cast<std::size_t>(channel)) + Sized(entries)));
+    file_->Append(Record(0x07, U16(static_cast<std::size_t>(channel)) + McapSized(entries)));
   }
   chunk_index_.push_back(Record(0x08,
                                 Time(chunk_start_ns_) + Time(chunk_end_ns_) + U64(position) +
-                                    U64(index_position - position) + Sized(places) +
-                                    U64(file_->size() - index_position) + Sized(name) +
+                                    U64(index_position - position) + McapSized(places) +
+                                    U64(file_->size() - index_position) + McapSized(name) +
                                     U64(packed.size()) + U64(chunk_.size())));
   start_ns_ = std::min(start_ns_, chunk_start_ns_);
   end_ns_ = std::max(end_ns_, chunk_end_ns_);
@@ -120,7 +113,7 @@ std::string McapWriter::Statistics() const {
   return Record(0x0B,
                 U64(num_messages) + U16(channels_.size()) + U32(channels_.size()) + U32(0) +
                     U32(0) + U32(chunk_index_.size()) + Time(start_ns_) + Time(end_ns_) +
-                    Sized(counts));
+                    McapSized(counts));
 }
 
 bool McapWriter::Close(std::string* error) {
@@ -138,7 +131,7 @@ bool McapWriter::Close(std::string* error) {
   std::string footer = Record(0x02, U64(position) + U64(0) + U32(0));
   footer.resize(footer.size() - 4);
   file_->Append(footer + U32(options_.index ? Crc32(summary + footer) : 0));
-  file_->Append(kMagic);
+  file_->Append(kMcapMagic);
   return file_->Close(error);
 }
 

@@ -8,16 +8,14 @@
 #include <utility>
 
 #include "radive/io/bytes/byte_reader.h"
+#include "radive/io/bytes/random_access_file.h"
 #include "radive/io/bytes/text_lines.h"
 
 namespace radive {
 namespace {
 
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
 // Definitions of message types are pages of text, not books [bytes].
 constexpr std::uint64_t kLargestConnection = 1 << 24;
-
-std::string AtByte(std::uint64_t position) { return "at byte " + std::to_string(position); }
 
 }  // namespace
 
@@ -25,15 +23,16 @@ std::unique_ptr<Ros1BagReader> Ros1BagReader::Open(std::unique_ptr<RandomAccessF
                                                    const MessageLimits& limits,
                                                    std::string* error) {
   std::string buffer;
-  const auto start = file->Read(0, std::min<std::uint64_t>(kMagic.size(), file->size()), &buffer);
-  if (!start || *start != kMagic) {
+  const auto start =
+      file->Read(0, std::min<std::uint64_t>(kRos1Magic.size(), file->size()), &buffer);
+  if (!start || *start != kRos1Magic) {
     *error = file->name() + ": starts with " +
-             Quoted(start.value_or(std::string_view()).substr(0, kMagic.size() - 1)) +
+             Quoted(start.value_or(std::string_view()).substr(0, kRos1Magic.size() - 1)) +
              ", expected a ROS 1 bag with '#ROSBAG V2.0'";
     return nullptr;
   }
   Ros1Record header;
-  if (ReadRos1Record(file.get(), kMagic.size(), &header)) {
+  if (ReadRos1Record(file.get(), kRos1Magic.size(), &header)) {
     const std::string encryptor(Ros1Field(header.header, "encryptor").value_or(""));
     if (!encryptor.empty()) {
       *error = file->name() + ": is encrypted (" + Quoted(encryptor) +
@@ -59,8 +58,8 @@ std::string Ros1BagReader::Description() const {
 // The bag header says where the connections and the places of the chunks are: at the end.
 bool Ros1BagReader::ReadIndexOfChunks(std::string* reason) {
   Ros1Record header;
-  if (!ReadRos1Record(file(), kMagic.size(), &header) || header.op() != Ros1Op::kBagHeader) {
-    *reason = "no bag header " + AtByte(kMagic.size());
+  if (!ReadRos1Record(file(), kRos1Magic.size(), &header) || header.op() != Ros1Op::kBagHeader) {
+    *reason = "no bag header " + AtByte(kRos1Magic.size());
     return false;
   }
   const std::uint64_t index = header.Unsigned("index_pos", 8).value_or(0);
@@ -130,7 +129,7 @@ bool Ros1BagReader::ReadConnection(RandomAccessFile* content, const Ros1Record& 
 // Finds the chunks by walking from record to record.
 void Ros1BagReader::Scan() {
   constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-  std::uint64_t position = kMagic.size();
+  std::uint64_t position = kRos1Magic.size();
   ChunkPlace bare = {0, kNever, 0};  // the messages outside of chunks since the last other record
   const auto close_bare = [&] {
     if (bare.bare_size > 0) AddChunk(bare);

@@ -16,32 +16,24 @@
 namespace radive {
 namespace {
 
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
 // So that the index can be entered later, the record is padded to this [bytes].
 constexpr std::size_t kBagHeaderSize = 4096;
 
-template <typename Unsigned>
-std::string Bytes(Unsigned value) {
-  std::string bytes;
-  AppendLittleEndian(value, &bytes);
-  return bytes;
-}
-
 std::string TimeBytes(std::int64_t time_ns) {
-  constexpr std::int64_t kSecond = 1000000000;
-  return Bytes(static_cast<std::uint32_t>(time_ns / kSecond)) +
-         Bytes(static_cast<std::uint32_t>(time_ns % kSecond));
+  constexpr std::int64_t kPerSecond = 1000000000;
+  return LittleEndian(static_cast<std::uint32_t>(time_ns / kPerSecond)) +
+         LittleEndian(static_cast<std::uint32_t>(time_ns % kPerSecond));
 }
 
-std::string Sized(std::string_view bytes) {
-  return Bytes(static_cast<std::uint32_t>(bytes.size())) + std::string(bytes);
+std::string Ros1Sized(std::string_view bytes) {
+  return LittleEndian(static_cast<std::uint32_t>(bytes.size())) + std::string(bytes);
 }
 
 std::string Field(const std::string& name, const std::string& value) {
-  return Sized(name + "=" + value);
+  return Ros1Sized(name + "=" + value);
 }
 
-std::string OpField(Ros1Op op) { return Field("op", Bytes(static_cast<std::uint8_t>(op))); }
+std::string OpField(Ros1Op op) { return Field("op", LittleEndian(static_cast<std::uint8_t>(op))); }
 
 }  // namespace
 
@@ -52,17 +44,17 @@ std::unique_ptr<Ros1BagWriter> Ros1BagWriter::Create(const std::filesystem::path
   std::unique_ptr<OutputStream> file = OutputStream::Create(path, error);
   if (file == nullptr) return nullptr;
   std::unique_ptr<Ros1BagWriter> writer(new Ros1BagWriter(std::move(file), options));
-  writer->file_->Append(kMagic);
+  writer->file_->Append(kRos1Magic);
   writer->file_->Append(writer->BagHeader(0));
   return writer;
 }
 
 std::string Ros1BagWriter::BagHeader(std::uint64_t index_position) const {
   const std::string header =
-      OpField(Ros1Op::kBagHeader) + Field("index_pos", Bytes(index_position)) +
-      Field("conn_count", Bytes(static_cast<std::uint32_t>(connections_.size()))) +
-      Field("chunk_count", Bytes(static_cast<std::uint32_t>(chunks_.size())));
-  return Sized(header) + Sized(std::string(kBagHeaderSize - header.size(), ' '));
+      OpField(Ros1Op::kBagHeader) + Field("index_pos", LittleEndian(index_position)) +
+      Field("conn_count", LittleEndian(static_cast<std::uint32_t>(connections_.size()))) +
+      Field("chunk_count", LittleEndian(static_cast<std::uint32_t>(chunks_.size())));
+  return Ros1Sized(header) + Ros1Sized(std::string(kBagHeaderSize - header.size(), ' '));
 }
 
 int Ros1BagWriter::AddTopic(const MessageTopic& topic) {
@@ -72,9 +64,10 @@ int Ros1BagWriter::AddTopic(const MessageTopic& topic) {
       Field("topic", topic.name) + Field("type", topic.type) +
       Field("md5sum", is_cloud ? kPointCloud2Md5 : "*") +
       Field("message_definition", is_cloud ? PointCloud2Definition("ros1") : "");
-  connections_.push_back(Sized(OpField(Ros1Op::kConnection) + Field("conn", Bytes(connection)) +
-                               Field("topic", topic.name)) +
-                         Sized(data));
+  connections_.push_back(Ros1Sized(OpField(Ros1Op::kConnection) +
+                                   Field("conn", LittleEndian(connection)) +
+                                   Field("topic", topic.name)) +
+                         Ros1Sized(data));
   is_connection_written_.push_back(false);
   return static_cast<int>(connection);
 }
@@ -88,10 +81,10 @@ bool Ros1BagWriter::Write(int topic,
   if (!is_connection_written_.at(connection)) chunk_ += connections_[connection];
   is_connection_written_[connection] = true;
   index_[topic].push_back({record_ns, chunk_.size()});
-  chunk_ +=
-      Sized(OpField(Ros1Op::kMessage) + Field("conn", Bytes(static_cast<std::uint32_t>(topic))) +
-            Field("time", TimeBytes(record_ns)));
-  chunk_ += Bytes(static_cast<std::uint32_t>(payload.size()));
+  chunk_ += Ros1Sized(OpField(Ros1Op::kMessage) +
+                      Field("conn", LittleEndian(static_cast<std::uint32_t>(topic))) +
+                      Field("time", TimeBytes(record_ns)));
+  chunk_ += LittleEndian(static_cast<std::uint32_t>(payload.size()));
   chunk_ += payload;
   if (chunk_.size() > options_.chunk_size) CloseChunk();
   return file_->Check(error);
@@ -99,22 +92,23 @@ bool Ros1BagWriter::Write(int topic,
 
 void Ros1BagWriter::CloseChunk() {
   ChunkInfo info = {file_->size(), std::numeric_limits<std::int64_t>::max(), 0, {}};
-  file_->Append(Sized(OpField(Ros1Op::kChunk) + Field("compression", NameOf(options_.compression)) +
-                      Field("size", Bytes(static_cast<std::uint32_t>(chunk_.size())))) +
-                Sized(Compress(options_.compression, chunk_)));
+  file_->Append(Ros1Sized(OpField(Ros1Op::kChunk) +
+                          Field("compression", NameOf(options_.compression)) +
+                          Field("size", LittleEndian(static_cast<std::uint32_t>(chunk_.size())))) +
+                Ros1Sized(Compress(options_.compression, chunk_)));
   for (const auto& [connection, entries] : index_) {
     std::string data;
     for (const IndexEntry& entry : entries) {
-      data += TimeBytes(entry.record_ns) + Bytes(static_cast<std::uint32_t>(entry.offset));
+      data += TimeBytes(entry.record_ns) + LittleEndian(static_cast<std::uint32_t>(entry.offset));
       info.start_ns = std::min(info.start_ns, entry.record_ns);
       info.end_ns = std::max(info.end_ns, entry.record_ns);
     }
     const auto count = static_cast<std::uint32_t>(entries.size());
     info.num_messages[connection] = count;
-    file_->Append(Sized(OpField(Ros1Op::kIndex) + Field("ver", Bytes(std::uint32_t{1})) +
-                        Field("conn", Bytes(static_cast<std::uint32_t>(connection))) +
-                        Field("count", Bytes(count))) +
-                  Sized(data));
+    file_->Append(Ros1Sized(OpField(Ros1Op::kIndex) + Field("ver", LittleEndian(std::uint32_t{1})) +
+                            Field("conn", LittleEndian(static_cast<std::uint32_t>(connection))) +
+                            Field("count", LittleEndian(count))) +
+                  Ros1Sized(data));
   }
   chunks_.push_back(std::move(info));
   chunk_.clear();
@@ -129,17 +123,18 @@ bool Ros1BagWriter::Close(std::string* error) {
   for (const ChunkInfo& chunk : chunks_) {
     std::string data;
     for (const auto& [connection, count] : chunk.num_messages) {
-      data += Bytes(static_cast<std::uint32_t>(connection)) + Bytes(count);
+      data += LittleEndian(static_cast<std::uint32_t>(connection)) + LittleEndian(count);
     }
     file_->Append(
-        Sized(OpField(Ros1Op::kChunkInfo) + Field("ver", Bytes(std::uint32_t{1})) +
-              Field("chunk_pos", Bytes(chunk.position)) +
-              Field("start_time", TimeBytes(chunk.start_ns)) +
-              Field("end_time", TimeBytes(chunk.end_ns)) +
-              Field("count", Bytes(static_cast<std::uint32_t>(chunk.num_messages.size())))) +
-        Sized(data));
+        Ros1Sized(
+            OpField(Ros1Op::kChunkInfo) + Field("ver", LittleEndian(std::uint32_t{1})) +
+            Field("chunk_pos", LittleEndian(chunk.position)) +
+            Field("start_time", TimeBytes(chunk.start_ns)) +
+            Field("end_time", TimeBytes(chunk.end_ns)) +
+            Field("count", LittleEndian(static_cast<std::uint32_t>(chunk.num_messages.size())))) +
+        Ros1Sized(data));
   }
-  file_->Overwrite(kMagic.size(), BagHeader(index_position));
+  file_->Overwrite(kRos1Magic.size(), BagHeader(index_position));
   return file_->Close(error);
 }
 

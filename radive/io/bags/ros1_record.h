@@ -12,6 +12,9 @@
 
 namespace radive {
 
+// First line of a ROS 1 bag.
+inline constexpr std::string_view kRos1Magic = "#ROSBAG V2.0\n";
+
 // What a record of a ROS 1 bag is, the value of its header field "op".
 enum class Ros1Op : std::uint8_t {
   kMessage = 0x02,

@@ -3,43 +3,11 @@
 
 #pragma once
 
-#include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <string_view>
-#include <system_error>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
-
-// A decimal number that is all of `text`; "nan" and "inf" count. Beyond the largest double it is
-// infinite, below the smallest 0. Nothing for anything else. Does not depend on the locale.
-inline std::optional<double> ParseDouble(std::string_view text) {
-  const char* const end = text.data() + text.size();
-  const char* begin = text.data();
-  if (!text.empty() && text.front() == '+') ++begin;
-  if (begin == end || (begin != text.data() && *begin == '-')) return std::nullopt;
-  double value = 0.0;
-  const auto [stop, failure] = std::from_chars(begin, end, value);
-  if (stop != end) return std::nullopt;
-  if (failure == std::errc()) return value;
-  if (failure != std::errc::result_out_of_range) return std::nullopt;
-  const std::size_t exponent = text.find_first_of("eE");
-  const bool is_tiny =
-      exponent == std::string_view::npos || text.substr(exponent).find('-') != text.npos;
-  const double size = is_tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  return *begin == '-' ? -size : size;
-}
-
-// A whole number from 0 that is all of `text`.
-inline std::optional<std::uint64_t> ParseCount(std::string_view text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, failure] = std::from_chars(text.data(), end, value);
-  if (text.empty() || failure != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
 
 // Takes the next word, up to blanks, tabs or line ends, off the front of `text`; empty when there
 // is none left.

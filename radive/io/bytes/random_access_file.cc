@@ -13,11 +13,10 @@
 #include <system_error>
 
 #include "radive/io/bytes/record_file.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
-
-std::string SystemMessage(int number) { return std::generic_category().message(number); }
 
 // An open file, closed with the object.
 class Descriptor {

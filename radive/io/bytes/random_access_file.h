@@ -79,4 +79,7 @@ class FilePart : public RandomAccessFile {
   const std::uint64_t begin_;
 };
 
+// For messages: where in a file something is.
+inline std::string AtByte(std::uint64_t position) { return "at byte " + std::to_string(position); }
+
 }  // namespace radive

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <system_error>
 
+#include "radive/util/system_message.h"
+
 namespace radive {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
-
-std::string SystemMessage(int number) { return std::generic_category().message(number); }
 
 using FilePointer = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 

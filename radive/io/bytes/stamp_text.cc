@@ -4,9 +4,10 @@
 #include "radive/io/bytes/stamp_text.h"
 
 #include <charconv>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -84,6 +85,10 @@ std::optional<std::int64_t> ParseStamp(std::string_view text, int unit_exponent)
 
 bool LooksLikeNanoseconds(std::string_view text) {
   if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
+  // As NumPy prints whole numbers in a table: 1.403636579758555392e+18.
+  if (text.find_first_of("eE") != std::string_view::npos) {
+    return ParseDouble(text).value_or(0.0) >= 1e17;
+  }
   if (text.size() <= 15) return false;
   for (const char c : text) {
     if (!IsDigit(c)) return false;
@@ -93,14 +98,10 @@ bool LooksLikeNanoseconds(std::string_view text) {
 
 std::string FormatStamp(std::int64_t stamp_ns) {
   // Division truncates towards zero, so the sign is written apart.
-  char text[40];
-  std::snprintf(text,
-                sizeof(text),
-                "%s%lld.%09lld",
-                stamp_ns < 0 ? "-" : "",
-                std::llabs(stamp_ns / 1'000'000'000),
-                std::llabs(stamp_ns % 1'000'000'000));
-  return text;
+  return FormatText("%s%lld.%09lld",
+                    stamp_ns < 0 ? "-" : "",
+                    std::llabs(stamp_ns / 1'000'000'000),
+                    std::llabs(stamp_ns % 1'000'000'000));
 }
 
 }  // namespace radive

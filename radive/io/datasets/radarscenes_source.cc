@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kRowSize = 20;
 
 // "radar1, radar3"
-std::string NamesOf(const std::vector<int>& radars) {
+std::string FoldersOf(const std::vector<int>& radars) {
   std::string names;
   for (const int k : radars) names += (names.empty() ? "radar" : ", radar") + std::to_string(k);
   return names.empty() ? "none" : names;
@@ -112,8 +112,9 @@ std::unique_ptr<ScanSource> RadarScenesSource::Open(const fs::path& path,
   source->table_path_ = folder / (name + "_scans.csv");
   std::error_code ignored;
   if (!fs::exists(source->table_path_, ignored)) {
-    *error = source->table_path_.string() + ": does not exist, expected the scans of " + name +
-             " (input.radar); radars found in the folder: " + NamesOf(RadarsOfRadarScenes(folder));
+    *error =
+        source->table_path_.string() + ": does not exist, expected the scans of " + name +
+        " (input.radar); radars found in the folder: " + FoldersOf(RadarsOfRadarScenes(folder));
     return nullptr;
   }
   if (!source->ReadTable(error)) return nullptr;
@@ -142,7 +143,7 @@ bool RadarScenesSource::CheckRows(std::uint64_t num_rows, std::string* error) co
   return true;
 }
 
-ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
+ScanSource::Status RadarScenesSource::PassOver(RadarScan* scan) {
   if (next_ == entries_.size()) return Status::kEnd;
   const RadarScenesScan& entry = entries_[next_++];
   scan->stamp_ns = entry.stamp_ns;
@@ -151,7 +152,12 @@ ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
   scan->is_planar = true;
   scan->returns.clear();
   scan->place = table_path_.string() + ":" + std::to_string(entry.line);
+  return Status::kScan;
+}
 
+ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
+  if (PassOver(scan) == Status::kEnd) return Status::kEnd;
+  const RadarScenesScan& entry = entries_[next_ - 1];
   if (entry.num_points == 0) return Status::kScan;
   if (!points_->Read(entry.first_point, entry.num_points, &rows_.owned)) {
     error_ = scan->place + ": the rows of " + points_->path().string() + " can no longer be read";
@@ -165,13 +171,6 @@ ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
     return Status::kError;
   }
   return Status::kScan;
-}
-
-ScanSource::Status RadarScenesSource::Skip(int count) {
-  const std::size_t left = entries_.size() - next_;
-  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
-  next_ += std::min(left, wanted);
-  return wanted <= left ? Status::kScan : Status::kEnd;
 }
 
 std::string RadarScenesSource::Description() const {

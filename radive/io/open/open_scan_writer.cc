@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <system_error>
 
 #include "radive/io/bags/bag_scan_writer.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/whole_file.h"
 #include "radive/io/points/point_file_writer.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -31,7 +31,7 @@ struct FileForm {
 
 using Returns = std::vector<RadarReturn>;
 
-const FileForm kForms[] = {
+const FileForm kFileForms[] = {
     {"raw", "radar", ".bin", Naming::kNumber6, true, RawBytes},
     {"pcd_ascii",
      "radar",
@@ -80,19 +80,15 @@ const FileForm kForms[] = {
 };
 
 std::string NameOf(Naming naming, int number, std::int64_t stamp_ns) {
-  char name[40];
   switch (naming) {
     case Naming::kNumber6:
-      std::snprintf(name, sizeof(name), "%06d", number);
-      return name;
+      return FormatText("%06d", number);
     case Naming::kNumber5:
-      std::snprintf(name, sizeof(name), "%05d", number);
-      return name;
+      return FormatText("%05d", number);
     case Naming::kNumber:
       return "radar_pointcloud_" + std::to_string(number);
     case Naming::kNanoseconds:
-      std::snprintf(name, sizeof(name), "%019lld", static_cast<long long>(stamp_ns));
-      return name;
+      return FormatText("%019lld", static_cast<long long>(stamp_ns));
     case Naming::kSeconds:
       return FormatStamp(stamp_ns);
   }
@@ -126,7 +122,7 @@ class PointFileWriter : public ScanWriter {
 const std::vector<std::string>& ScanWriterNames() {
   static const std::vector<std::string>* const names = [] {
     auto* const list = new std::vector<std::string>();
-    for (const FileForm& form : kForms) list->emplace_back(form.name);
+    for (const FileForm& form : kFileForms) list->emplace_back(form.name);
     const std::vector<std::string>& bags = BagScanWriterNames();
     list->insert(list->end(), bags.begin(), bags.end());
     return list;
@@ -137,7 +133,7 @@ const std::vector<std::string>& ScanWriterNames() {
 std::unique_ptr<ScanWriter> OpenScanWriter(const std::string& format,
                                            const fs::path& folder,
                                            std::string* error) {
-  for (const FileForm& form : kForms) {
+  for (const FileForm& form : kFileForms) {
     if (format != form.name) continue;
     std::error_code failure;
     fs::create_directories(folder / form.folder, failure);

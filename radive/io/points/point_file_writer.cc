@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <initializer_list>
 
 #include "radive/io/bytes/lzf.h"
 #include "radive/io/points/point_table.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -26,11 +26,7 @@ std::array<float, kNumFields> Values(const RadarReturn& ret) {
           static_cast<float>(ret.power)};
 }
 
-std::string Text(float value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.9g", static_cast<double>(value));
-  return text;
-}
+std::string Text(float value) { return FormatText("%.9g", static_cast<double>(value)); }
 
 void AppendTextLine(const RadarReturn& ret, char separator, std::string* text) {
   std::size_t i = 0;
@@ -44,7 +40,7 @@ void AppendFloats(std::initializer_list<float> values, std::string* bytes) {
   for (const float value : values) AppendLittleEndian(value, bytes);
 }
 
-std::string PcdHeader(const std::string& names, std::size_t count, const char* data) {
+std::string PcdHeaderText(const std::string& names, std::size_t count, const char* data) {
   std::string sizes, types, counts;
   for (std::size_t i = 0;
        i <= static_cast<std::size_t>(std::count(names.begin(), names.end(), ' '));
@@ -64,19 +60,19 @@ std::string PcdHeader(const std::string& names, std::size_t count, const char* d
 std::string PcdBytes(const std::vector<RadarReturn>& returns, PcdEncoding encoding) {
   const char* const names = "x y z doppler power";
   if (encoding == PcdEncoding::kAscii) {
-    std::string text = PcdHeader(names, returns.size(), "ascii");
+    std::string text = PcdHeaderText(names, returns.size(), "ascii");
     for (const RadarReturn& ret : returns) AppendTextLine(ret, ' ', &text);
     return text;
   }
   if (encoding == PcdEncoding::kBinary) {
-    return PcdHeader(names, returns.size(), "binary") + RawBytes(returns);
+    return PcdHeaderText(names, returns.size(), "binary") + RawBytes(returns);
   }
   std::string columns;
   for (std::size_t field = 0; field < kNumFields; ++field) {
     for (const RadarReturn& ret : returns) AppendLittleEndian(Values(ret)[field], &columns);
   }
   const std::string packed = PackLzf(columns);
-  std::string bytes = PcdHeader(names, returns.size(), "binary_compressed");
+  std::string bytes = PcdHeaderText(names, returns.size(), "binary_compressed");
   AppendLittleEndian(static_cast<std::uint32_t>(packed.size()), &bytes);
   AppendLittleEndian(static_cast<std::uint32_t>(columns.size()), &bytes);
   return bytes + packed;
@@ -84,9 +80,9 @@ std::string PcdBytes(const std::vector<RadarReturn>& returns, PcdEncoding encodi
 
 std::string SnailPcdBytes(const std::vector<RadarReturn>& returns) {
   std::string bytes =
-      PcdHeader("x y z doppler intensity range_std azimuth_std elevation_std doppler_std",
-                returns.size(),
-                "binary");
+      PcdHeaderText("x y z doppler intensity range_std azimuth_std elevation_std doppler_std",
+                    returns.size(),
+                    "binary");
   for (const RadarReturn& ret : returns) {
     const auto [x, y, z, doppler, power] = Values(ret);
     AppendFloats({x, y, z, doppler, power + 128.0F, 0.0F, 0.0F, 0.0F, 0.0F}, &bytes);
@@ -118,17 +114,13 @@ std::string PlyBytes(const std::vector<RadarReturn>& returns, PlyEncoding encodi
 std::string CsvBytes(const std::vector<RadarReturn>& returns) {
   std::string text = "x,y,z,doppler,power\n";
   for (const RadarReturn& ret : returns) {
-    char line[200];
     const auto [x, y, z, doppler, power] = Values(ret);
-    std::snprintf(line,
-                  sizeof(line),
-                  "%.17g,%.17g,%.17g,%.17g,%.17g\n",
-                  static_cast<double>(x),
-                  static_cast<double>(y),
-                  static_cast<double>(z),
-                  static_cast<double>(doppler),
-                  static_cast<double>(power));
-    text += line;
+    text += FormatText("%.17g,%.17g,%.17g,%.17g,%.17g\n",
+                       static_cast<double>(x),
+                       static_cast<double>(y),
+                       static_cast<double>(z),
+                       static_cast<double>(doppler),
+                       static_cast<double>(power));
   }
   return text;
 }

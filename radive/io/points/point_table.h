@@ -49,6 +49,9 @@ constexpr std::size_t SizeOf(NumericType type) {
 // "float32", "uint8", ...
 const char* NameOf(NumericType type);
 
+// A table with more columns than this is none of points.
+inline constexpr std::size_t kMostColumns = 1000;
+
 // One number, or `count` numbers side by side, of a point record.
 struct PointField {
   std::string name;  // as the data have it
@@ -111,6 +114,14 @@ void AppendLittleEndian(Number value, std::string* bytes) {
   for (std::size_t i = 0; i < sizeof(Number); ++i) {
     *bytes += static_cast<char>(raw[first == 1 ? i : sizeof(Number) - 1 - i]);
   }
+}
+
+// The bytes of `value`, little-endian.
+template <typename Number>
+std::string LittleEndian(Number value) {
+  std::string bytes;
+  AppendLittleEndian(value, &bytes);
+  return bytes;
 }
 
 }  // namespace radive

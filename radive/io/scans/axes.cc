@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
+
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -91,14 +92,10 @@ void AxesSource::Decide() {
   const bool is_rdf = num_returns >= kMinReturns && z_share >= kMinForwardShare &&
                       x_share < kMaxForwardX && sum_y < 0.5 * sum_z;
   if (is_rdf) axes_ = *ParseAxes("rdf");
-  char text[160];
-  std::snprintf(text,
-                sizeof(text),
-                "%.0f %% of the returns of the first %d scans have x > 0, %.0f %% z > 0",
-                100.0 * x_share,
-                static_cast<int>(ahead_.held_back().size()),
-                100.0 * z_share);
-  reason_ = text;
+  reason_ = FormatText("%.0f %% of the returns of the first %d scans have x > 0, %.0f %% z > 0",
+                       100.0 * x_share,
+                       static_cast<int>(ahead_.held_back().size()),
+                       100.0 * z_share);
 }
 
 SourceFacts AxesSource::Facts() const {

@@ -3,7 +3,6 @@
 
 #include "radive/io/trajectories/trajectory_io.h"
 
-#include <cstdio>
 #include <fstream>
 #include <system_error>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
 #include "radive/io/trajectories/pose_text.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -143,9 +143,7 @@ std::string TumLine(const StampedPose& pose) {
   const Eigen::Quaterniond& q = pose.T_world_body.rotation;
   std::string line = FormatStamp(pose.stamp_ns);
   for (const double value : {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()}) {
-    char text[400];  // the longest double takes 320 characters
-    std::snprintf(text, sizeof(text), " %.9f", value);
-    line += text;
+    line += FormatText(" %.9f", value);
   }
   return line;
 }
@@ -156,9 +154,7 @@ std::string KittiLine(const StampedPose& pose) {
   std::string line;
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index column = 0; column < 4; ++column) {
-      char text[400];
-      std::snprintf(text, sizeof(text), "%s%.9f", line.empty() ? "" : " ", rows(row, column));
-      line += text;
+      line += FormatText("%s%.9f", line.empty() ? "" : " ", rows(row, column));
     }
   }
   return line;

@@ -15,10 +15,11 @@ namespace radive {
 namespace {
 
 std::vector<std::vector<double>> Ranges(double share, int seed, int skip = 0) {
-  ThinnedSource source(
-      std::make_unique<testing::FakeScanSource>(testing::StaticScans(200, {5.0, 0.0, 0.0}, 1.0)),
-      share,
-      seed);
+  std::vector<RadarScan> whole;
+  for (int i = 0; i < 200; ++i) {
+    whole.push_back(testing::StaticScan(100'000'000LL * i, {5.0, 0.0, 0.0}, 1.0));
+  }
+  ThinnedSource source(std::make_unique<testing::FakeScanSource>(whole), share, seed);
   EXPECT_EQ(source.Skip(skip), ScanSource::Status::kScan);
   std::vector<std::vector<double>> scans;
   RadarScan scan;

@@ -1,0 +1,16 @@
+# radive_unity(TARGET): with RADIVE_UNITY, compiles the target's sources folder by folder, each folder
+# as one file. Names in unnamed namespaces must then differ within a folder.
+function(radive_unity target)
+  if(NOT RADIVE_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(folder AND NOT IS_ABSOLUTE ${source})
+      string(REPLACE "/" "_" group ${folder})
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+endfunction()

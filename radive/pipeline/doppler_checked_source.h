@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The RaDiVe authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "radive/ego_velocity/doppler_check.h"
+#include "radive/io/scans/scan_source.h"
+
+namespace radive {
+
+// The scans of `source` with the Doppler that DopplerCheck leaves of it. Scans of a radar that
+// moves are held back until it is decided what its Doppler is worth, within bounds; scans of one
+// that stands go on, as what was said of them by then does not matter.
+class DopplerCheckedSource : public ScanSource {
+ public:
+  static constexpr std::size_t kMostHeldBack = 90;
+  static constexpr std::size_t kMostReturnsHeldBack = 2'000'000;
+
+  DopplerCheckedSource(ScanSource* source, DopplerCheck check)
+      : source_(source), check_(std::move(check)) {}
+
+  Status Next(RadarScan* scan) override;
+  std::string Description() const override { return source_->Description(); }
+  std::optional<int> NumScans() const override { return source_->NumScans(); }
+
+  const DopplerCheck& check() const { return check_; }
+  std::vector<DopplerRemark> TakeRemarks() { return check_.TakeRemarks(); }
+
+ private:
+  // Of the first scan that is held back.
+  bool CanGoOn();
+
+  ScanSource* const source_;
+  DopplerCheck check_;
+  std::deque<RadarScan> held_back_;
+  std::size_t num_returns_ = 0;           // of the scans that are held back
+  std::set<int> radars_;                  // of the drive so far
+  Status status_behind_ = Status::kScan;  // the scans that are held back
+};
+
+}  // namespace radive
