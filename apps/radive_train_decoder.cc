@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "apps/app_main.h"
-#include "radive/pipeline/decoder_lessons.h"
 #include "radive/io/bytes/whole_file.h"
+#include "radive/pipeline/decoder_lessons.h"
 #include "radive/training/decoder_training.h"
 
 DEFINE_int32(feature_dim, 4, "Numbers in a feature: 4 or 8.");

@@ -4,7 +4,8 @@
 #include "radive/pipeline/output_file.h"
 
 #include <cerrno>
-#include <cstring>
+
+#include "radive/util/system_message.h"
 
 namespace radive {
 
@@ -37,7 +38,7 @@ bool OutputFile::Close(std::string* error) {
   return Report(error);
 }
 
-void OutputFile::SetFailure(int error_number) { failure_ = std::strerror(error_number); }
+void OutputFile::SetFailure(int error_number) { failure_ = SystemMessage(error_number); }
 
 bool OutputFile::Report(std::string* error) const {
   if (failure_.empty()) return true;

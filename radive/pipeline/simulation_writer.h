@@ -20,9 +20,9 @@ namespace radive {
 //   times.txt          line k: stamp of scan k, integer [ns]
 //   gt_tum.txt         line k: true pose at scan k, "t x y z qx qy qz qw" [s, m], maps the radar
 //                      frame of scan k to that of scan 0
-//   scenario.json      what was simulated; written last, so a folder that has it is complete
+//   scenario.json      what was simulated
 //
-// Each file appears whole or not at all. `progress` is called after each scan with the number of
+// All of it appears in one step, see OutputFolder. `progress` is called after each scan with the number of
 // scans written and of all scans; it may be empty. On failure returns false and names the file or
 // the setting in `error`.
 bool WriteSimulation(const std::string& scenario,

@@ -62,6 +62,7 @@ bool ReadCounts(const fs::path& file, RunRecord* record, std::string* error) {
   try {
     record->scans = json.at("frames").get<int>();
     record->registered = json.at("status").at("registered").get<int>();
+    record->warnings = json.value("num_warnings", 0);
     record->timing.max_rss_mb = json.at("peak_memory_mb").get<double>();
   } catch (const nlohmann::json::exception& exception) {
     *error = file.string() + ": " + exception.what();

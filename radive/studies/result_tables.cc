@@ -140,7 +140,7 @@ RunRecord AbsentRecord(const Study& study, const StudyRun& run) {
 std::string ResultsCsv(const std::vector<RunRecord>& records) {
   std::string text =
       "sequence,variant,seed,status,message,ate_t,ate_r,rpe_t,rpe_r,drift_t,drift_r,scans,"
-      "registered,path_length,input_hash,config_hash,program_hash\n";
+      "registered,path_length,warnings,input_hash,config_hash,program_hash\n";
   for (const RunRecord& record : records) {
     const RunScores& scores = record.scores;
     text += Row({record.sequence,
@@ -157,6 +157,7 @@ std::string ResultsCsv(const std::vector<RunRecord>& records) {
                  Cell(record.scans),
                  Cell(record.registered),
                  Cell(scores.path_length),
+                 Cell(record.warnings),
                  record.input_hash,
                  record.config_hash,
                  record.program_hash});

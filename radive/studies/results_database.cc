@@ -90,15 +90,15 @@ void WriteResults(const std::vector<RunRecord>& records, Writer* writer) {
       "CREATE TABLE results(sequence TEXT NOT NULL, variant TEXT NOT NULL, seed INTEGER NOT NULL, "
       "status TEXT NOT NULL, message TEXT NOT NULL, ate_t REAL, ate_r REAL, rpe_t REAL, "
       "rpe_r REAL, drift_t REAL, drift_r REAL, scans INTEGER, registered INTEGER, "
-      "path_length REAL, input_hash TEXT NOT NULL, config_hash TEXT NOT NULL, "
+      "path_length REAL, warnings INTEGER, input_hash TEXT NOT NULL, config_hash TEXT NOT NULL, "
       "program_hash TEXT NOT NULL, PRIMARY KEY (sequence, variant, seed))");
-  writer->Prepare("INSERT INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  writer->Prepare("INSERT INTO results VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   for (const RunRecord& record : records) {
     *writer << record.sequence << record.variant << record.seed << record.status << record.message
             << record.scores.ate_t << record.scores.ate_r << record.scores.rpe_t
             << record.scores.rpe_r << record.scores.drift_t << record.scores.drift_r << record.scans
-            << record.registered << record.scores.path_length << record.input_hash
-            << record.config_hash << record.program_hash;
+            << record.registered << record.scores.path_length << record.warnings
+            << record.input_hash << record.config_hash << record.program_hash;
     writer->EndRow();
   }
 }

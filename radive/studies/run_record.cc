@@ -28,6 +28,7 @@ void VisitFields(Record& record, const Visit& visit) {
   visit("scans", record.scans);
   visit("registered", record.registered);
   visit("path_length", record.scores.path_length);
+  visit("warnings", record.warnings);
   visit("input_hash", record.input_hash);
   visit("config_hash", record.config_hash);
   visit("program_hash", record.program_hash);
@@ -63,8 +64,9 @@ struct JsonReader {
   }
   template <typename Value>
   void operator()(const char* name, std::optional<Value>& value) const {
-    const Json& entry = json->at(name);
-    value = entry.is_null() ? std::nullopt : std::optional<Value>(entry.get<Value>());
+    const auto entry = json->find(name);
+    const bool has_value = entry != json->end() && !entry->is_null();
+    value = has_value ? std::optional<Value>(entry->get<Value>()) : std::nullopt;
   }
 };
 

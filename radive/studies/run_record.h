@@ -40,6 +40,7 @@ struct RunRecord {
   RunScores scores;
   std::optional<int> scans;
   std::optional<int> registered;
+  std::optional<int> warnings;  // nothing in records of versions that did not count them
   std::string input_hash;
   std::string config_hash;
   std::string program_hash;

@@ -273,6 +273,14 @@ class StudyRunner {
              job->input->input.reference(),
              &reference,
              &job->record);
+    if (job->input->input.KnownHash() != job->record.input_hash) {
+      job->input->hash.reset();  // is prepared anew for the runs to come
+      if (job->record.status == "ok") {
+        job->record.status = "failed";
+        job->record.message = job->input->input.folder().string() + ": changed while it was read";
+        job->record.scores = RunScores();
+      }
+    }
     archive_->Save(*job->run, job->input->input.reference(), reference, end.output, &job->record);
     Report(job->record);
   }

@@ -8,9 +8,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <system_error>
 #include <vector>
+
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::size_t kManyFiles = 64;
 bool Sync(const fs::path& path, int (*sync)(int), std::string* error) {
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool is_synced = fd >= 0 && (sync(fd) == 0 || errno == EINVAL || errno == ENOTSUP);
-  if (!is_synced) *error = path.string() + ": cannot be written: " + std::strerror(errno);
+  if (!is_synced) *error = path.string() + ": cannot be written: " + SystemMessage(errno);
   if (fd >= 0) close(fd);
   return is_synced;
 }

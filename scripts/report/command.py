@@ -75,7 +75,10 @@ def run(arguments):
         output_folder.write_file(folder / "report.md", markdown(found))
         output_folder.write_file(folder / "tables.tex", latex(found))
         output_folder.write_file(folder / "report.html", page.build(found))
-    print(output / "report.html", flush=True)
+    try:
+        print(output / "report.html", flush=True)
+    except OSError as error:
+        raise FileError(f"standard output: cannot be written: {error.strerror}") from error
 
 
 def main(arguments=None):

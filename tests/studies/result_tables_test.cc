@@ -31,6 +31,7 @@ RunRecord MadeRecord() {
   record.scores.path_length = 100.5;
   record.scans = 40;
   record.registered = 38;
+  record.warnings = 2;
   record.input_hash = "aa";
   record.config_hash = "bb";
   record.program_hash = "cc";
@@ -46,15 +47,16 @@ RunRecord FailedRecord() {
   record.scores = RunScores();
   record.scans.reset();
   record.registered.reset();
+  record.warnings.reset();
   return record;
 }
 
 TEST(ResultsCsv, HasARowARun) {
   EXPECT_EQ(ResultsCsv({MadeRecord(), FailedRecord()}),
             "sequence,variant,seed,status,message,ate_t,ate_r,rpe_t,rpe_r,drift_t,drift_r,scans,"
-            "registered,path_length,input_hash,config_hash,program_hash\n"
-            "street,ours,3,ok,,0.125,0.666666667,,,,,40,38,100.5,aa,bb,cc\n"
-            "street,ours,4,failed,\"a \"\"b\"\", c d\",,,,,,,,,,aa,bb,cc\n");
+            "registered,path_length,warnings,input_hash,config_hash,program_hash\n"
+            "street,ours,3,ok,,0.125,0.666666667,,,,,40,38,100.5,2,aa,bb,cc\n"
+            "street,ours,4,failed,\"a \"\"b\"\", c d\",,,,,,,,,,,aa,bb,cc\n");
 }
 
 TEST(TimingsCsv, HasARowForEachRunThatIsOk) {

@@ -39,22 +39,31 @@ bool IsLfsPointer(const std::filesystem::path& path, std::string* error) {
   return true;
 }
 
-bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std::string* error) {
+bool ReadWholeFile(const std::filesystem::path& path,
+                   std::string* content,
+                   std::string* error,
+                   bool* is_unreadable) {
   content->clear();
+  bool ignored = false;
+  bool& has_failed = is_unreadable != nullptr ? *is_unreadable : ignored;
+  has_failed = false;
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (!std::filesystem::is_regular_file(status)) {
     *error =
         path.string() + ": cannot be opened: " + (failure ? failure.message() : "no regular file");
+    has_failed = static_cast<bool>(failure);
     return false;
   }
   if (IsLfsPointer(path, error)) return false;
   std::string reason;
   if (ReadFileBytes(path, kLargestFile, content, &reason)) return true;
   const std::uintmax_t size = std::filesystem::file_size(path, failure);
-  *error = path.string() + (!failure && size > kLargestFile
+  const bool is_too_large = !failure && size > kLargestFile;
+  *error = path.string() + (is_too_large
                                 ? ": larger than 1 GiB, expected a single scan or a small table"
                                 : ": cannot be read: " + reason);
+  has_failed = !is_too_large;
   return false;
 }
 

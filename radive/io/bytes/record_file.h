@@ -15,7 +15,12 @@ namespace radive {
 // Reads a whole small file (at most 1 GiB, far more than any scan) into `content`. False, with the
 // file and the reason in `error`, when it cannot be read, is no regular file, or is the small text
 // that Git LFS leaves in place of data that were never fetched.
-bool ReadWholeFile(const std::filesystem::path& path, std::string* content, std::string* error);
+// `is_unreadable` says whether the operating system refused (a drive that is away, no permission, a
+// broken disk), which says nothing of the content.
+bool ReadWholeFile(const std::filesystem::path& path,
+                   std::string* content,
+                   std::string* error,
+                   bool* is_unreadable = nullptr);
 
 // True when the file starts like the text of a Git-LFS pointer, which it then says in `error`.
 bool IsLfsPointer(const std::filesystem::path& path, std::string* error);

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "radive/util/durable_files.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 
@@ -19,7 +20,7 @@ bool WriteFile(const fs::path& path, std::string_view bytes, std::string* error)
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
   if (file) return true;
-  *error = path.string() + ": cannot be written: " + std::generic_category().message(errno);
+  *error = path.string() + ": cannot be written: " + SystemMessage(errno);
   std::error_code ignored;
   if (fs::is_regular_file(path, ignored)) fs::remove(path, ignored);
   return false;

@@ -179,9 +179,8 @@ ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
   const RadarScenesScan& entry = entries_[next_ - 1];
   if (entry.num_points == 0) return Status::kScan;
   if (!points_->Read(entry.first_point, entry.num_points, &rows_.owned)) {
-    warnings_.push_back(scan->place + ": the rows of " + points_->path().string() +
-                        " can no longer be read; taken as an empty scan");
-    return Status::kScan;
+    error_ = scan->place + ": the rows of " + points_->path().string() + " can no longer be read";
+    return Status::kError;
   }
   rows_.data = rows_.owned.data();
   rows_.num_points = static_cast<std::size_t>(entry.num_points);

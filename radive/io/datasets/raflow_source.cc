@@ -39,9 +39,12 @@ std::uint64_t Fingerprint(const std::vector<char>& bytes) {
   return hash;
 }
 
-bool ReadPair(const fs::path& path, RaFlowPair* pair, std::string* error) {
+bool ReadPair(const fs::path& path,
+              RaFlowPair* pair,
+              std::string* error,
+              bool* is_unreadable = nullptr) {
   std::string text;
-  if (!ReadWholeFile(path, &text, error)) return false;
+  if (!ReadWholeFile(path, &text, error, is_unreadable)) return false;
   std::string reason;
   if (ParseRaFlowPair(text, pair, &reason)) return true;
   *error = path.string() + ": " + reason;
@@ -225,8 +228,13 @@ ScanSource::Status RaFlowSource::Next(RadarScan* scan) {
   const bool is_second = next_ > files_.size();
   RaFlowPair pair;
   std::string reason;
-  if (!ReadPair(scan->place, &pair, &reason) ||
+  bool is_unreadable = false;
+  if (!ReadPair(scan->place, &pair, &reason, &is_unreadable) ||
       !converter_.Convert(is_second ? pair.second : pair.first, scan, &reason)) {
+    if (is_unreadable) {
+      error_ = reason;
+      return Status::kError;
+    }
     warnings_.push_back(reason + "; taken as an empty scan");
   }
   return Status::kScan;

@@ -48,7 +48,7 @@ ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
 bool PointFolderSource::ReadReturns(RadarScan* scan,
                                     std::vector<std::string>* remarks,
                                     std::string* reason) {
-  if (!ReadWholeFile(scan->place, &content_, reason)) return false;
+  if (!ReadWholeFile(scan->place, &content_, reason, &is_unreadable_)) return false;
   PointTable table;
   if (reader_->Read(content_, scan->stamp_ns, &table, remarks, reason) &&
       converter_.Convert(table, scan, reason)) {
@@ -77,6 +77,10 @@ ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
   std::vector<std::string> remarks;
   std::string reason;
   if (!ReadReturns(scan, &remarks, &reason)) {
+    if (is_unreadable_) {
+      error_ = reason;
+      return Status::kError;
+    }
     if (!has_looked_ && !CanReadOneOfTheNext()) {
       error_ = reason;
       const std::size_t num_others = std::min(folder_.names.size() - next_, kFirstScans - 1);

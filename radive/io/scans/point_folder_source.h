@@ -58,6 +58,7 @@ class PointFolderSource : public ScanSource {
   const std::unique_ptr<PointFileReader> reader_;
   const std::string format_;
   PointConverter converter_;
+  bool is_unreadable_ = false;  // the last file, which says nothing of its content
   std::size_t next_ = 0;
   std::string content_;      // of one file, kept for its memory
   bool has_looked_ = false;  // whether the files can be read at all
