@@ -6,9 +6,11 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
+#include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -71,6 +73,21 @@ inline bool IsFlagSet(const char* name) {
 
 }  // namespace app_internal
 
+// What main() returns after it has printed: `status`, or ExitStatus::kFailure with a message when
+// the standard output did not take everything (a full disk).
+inline int EndApp(ExitStatus status) {
+  errno = 0;
+  const bool is_flushed = std::fflush(stdout) == 0;
+  const int reason = errno;
+  if (is_flushed && std::ferror(stdout) == 0) return Code(status);
+  std::fprintf(stderr,
+               "%s: standard output: cannot be written%s%s\n",
+               gflags::ProgramInvocationShortName(),
+               is_flushed ? "" : ": ",
+               is_flushed ? "" : std::strerror(reason));
+  return Code(status == ExitStatus::kSuccess ? ExitStatus::kFailure : status);
+}
+
 // `app_file` is the file that defines the program's flags: leave it at its default and call this
 // from that file.
 inline void InitApp(int* argc,
@@ -90,11 +107,11 @@ inline void InitApp(int* argc,
   if (app_internal::IsFlagSet("help") || app_internal::IsFlagSet("helpshort") ||
       app_internal::IsFlagSet("helpfull")) {
     app_internal::PrintHelp(usage, app_file);
-    std::exit(Code(ExitStatus::kSuccess));
+    std::exit(EndApp(ExitStatus::kSuccess));
   }
   if (app_internal::IsFlagSet("version")) {
     std::printf("%s %s\n", program.c_str(), RADIVE_VERSION);
-    std::exit(Code(ExitStatus::kSuccess));
+    std::exit(EndApp(ExitStatus::kSuccess));
   }
   if (*argc > 1 + max_arguments) {
     std::fprintf(stderr,

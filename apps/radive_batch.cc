@@ -121,14 +121,14 @@ int main(int argc, char** argv) {
                                                    : radive::RunStudy(*study, request, &error);
   switch (status) {
     case radive::StudyStatus::kDone:
-      return radive::Code(ExitStatus::kSuccess);
+      return radive::EndApp(ExitStatus::kSuccess);
     case radive::StudyStatus::kSomeFailed:
-      return radive::Code(ExitStatus::kNoResult);
+      return radive::EndApp(ExitStatus::kNoResult);
     case radive::StudyStatus::kInterrupted:
       std::fprintf(stderr, "radive_batch: interrupted; the same command goes on from here\n");
-      return radive::Code(ExitStatus::kInterrupted);
+      return radive::EndApp(ExitStatus::kInterrupted);
     case radive::StudyStatus::kFailed:
       return Fail(error);
   }
-  return radive::Code(ExitStatus::kFailure);
+  return radive::EndApp(ExitStatus::kFailure);
 }

@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
   std::string error;
   if (!Run(&error)) {
     std::fprintf(stderr, "radive_evaluate: %s\n", error.c_str());
-    return radive::Code(radive::ExitStatus::kFailure);
+    return radive::EndApp(radive::ExitStatus::kFailure);
   }
-  return radive::Code(radive::ExitStatus::kSuccess);
+  return radive::EndApp(radive::ExitStatus::kSuccess);
 }

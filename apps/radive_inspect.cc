@@ -46,5 +46,5 @@ int main(int argc, char** argv) {
       argv[1], config->input, config->odometry.sensor, config->odometry.preprocessing, &error);
   if (!report) return Fail(error);
   std::fputs((FLAGS_json ? report->ToJson() : report->ToText()).c_str(), stdout);
-  return radive::Code(radive::ExitStatus::kSuccess);
+  return radive::EndApp(radive::ExitStatus::kSuccess);
 }

@@ -84,7 +84,7 @@ int main(int argc, char** argv) {
       "  radive_odometry --input=SEQUENCE --config=configs/DATASET.yaml --output=RESULTS");
   if (FLAGS_help_config) {
     std::fputs(radive::DescribeConfig().c_str(), stdout);
-    return radive::Code(ExitStatus::kSuccess);
+    return radive::EndApp(ExitStatus::kSuccess);
   }
   std::string error = FlagError();
   if (!error.empty()) return Fail(error);
@@ -121,15 +121,15 @@ int main(int argc, char** argv) {
   std::fputs(scores.c_str(), stdout);
   switch (status) {
     case radive::RunStatus::kDone:
-      return radive::Code(ExitStatus::kSuccess);
+      return radive::EndApp(ExitStatus::kSuccess);
     case radive::RunStatus::kInterrupted:
       std::fprintf(stderr, "radive_odometry: interrupted; the results so far are whole\n");
-      return radive::Code(ExitStatus::kInterrupted);
+      return radive::EndApp(ExitStatus::kInterrupted);
     case radive::RunStatus::kNoResult:
       Fail(error);
-      return radive::Code(ExitStatus::kNoResult);
+      return radive::EndApp(ExitStatus::kNoResult);
     case radive::RunStatus::kFailed:
       return Fail(error);
   }
-  return radive::Code(ExitStatus::kFailure);
+  return radive::EndApp(ExitStatus::kFailure);
 }

@@ -72,5 +72,5 @@ int main(int argc, char** argv) {
     return Fail(error);
   }
   std::printf("%d scans in %s\n", options->frames, FLAGS_output.c_str());
-  return radive::Code(radive::ExitStatus::kSuccess);
+  return radive::EndApp(radive::ExitStatus::kSuccess);
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "apps/app_main.h"
+#include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/decoder_lessons.h"
-#include "radive/pipeline/output_file.h"
 #include "radive/training/decoder_training.h"
 
 DEFINE_int32(feature_dim, 4, "Numbers in a feature: 4 or 8.");
@@ -82,10 +82,6 @@ int main(int argc, char** argv) {
 
   const std::filesystem::path path = FLAGS_output;
   std::string error;
-  radive::OutputFile file;
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!file.Open(folder, path.filename().string(), &error)) return Fail(error);
-  file.Write(decoder.ToText(comment));
-  if (!file.Commit(&error)) return Fail(error);
-  return radive::Code(radive::ExitStatus::kSuccess);
+  if (!radive::WriteWholeFile(path, decoder.ToText(comment), &error)) return Fail(error);
+  return radive::EndApp(radive::ExitStatus::kSuccess);
 }

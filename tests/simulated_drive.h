@@ -57,6 +57,7 @@ inline OdometryOptions OptionsFor(const SimulationOptions& simulation) {
   options.registration.planar = true;
   options.motion.no_slip = true;
   options.motion.slip_compliance = 0.0;  // the simulated rear axle does not drift
+  options.ndt.representation = NdtOptions::Representation::kPoint;
   if (simulation.sensor == SensorType::kOculii) {
     options.ndt.representation = NdtOptions::Representation::kVoxel;
     options.submap.num_keyframes = 15;

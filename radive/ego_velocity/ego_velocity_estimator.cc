@@ -89,7 +89,7 @@ EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& retur
   const DopplerEquations equations = MakeDopplerEquations(returns, up_radar, sensor_.doppler_span);
   const std::optional<VelocityGate> gate = TemporalGate(equations, stamp_ns);
 
-  EgoVelocity result = Fit(equations, up_radar, gate, ridge);
+  EgoVelocity result = Fit(equations, up_radar, gate, ridge, is_planar);
   result.num_returns = equations.size();
   result.valid = result.reason.empty();
   if (result.valid) {
@@ -123,7 +123,8 @@ std::optional<VelocityGate> EgoVelocityEstimator::TemporalGate(const DopplerEqua
 EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
                                       const Eigen::Vector3d& up_radar,
                                       const std::optional<VelocityGate>& temporal_gate,
-                                      double vertical_ridge) {
+                                      double vertical_ridge,
+                                      bool is_planar) {
   EgoVelocity fit;
   if (equations.size() < options_.min_inliers) {
     fit.reason = FormatText(
@@ -132,14 +133,11 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
   }
   // Mixed so that neighbouring seeds and scans share no draws.
   Random random(Random(static_cast<std::uint64_t>(options_.seed)).Bits() ^ num_scans_);
-  const std::optional<VelocityHypothesis> hypothesis =
-      Draw(equations, temporal_gate, &random, &fit.reason);
-  if (!hypothesis) return fit;
-  fit = Refine(equations,
-               up_radar,
-               equations.basis * hypothesis->velocity,
-               Eigen::ArrayXd::Ones(equations.size()),
-               vertical_ridge);
+  const std::optional<Eigen::Vector3d> v_drawn =
+      Draw(equations, temporal_gate, is_planar, &random, &fit.reason);
+  if (!v_drawn) return fit;
+  fit =
+      Refine(equations, up_radar, *v_drawn, Eigen::ArrayXd::Ones(equations.size()), vertical_ridge);
   if (occlusion_.enabled) {
     const EgoVelocity weighted = Refine(
         equations, up_radar, fit.v_radar, OcclusionWeights(equations, fit.v_radar), vertical_ridge);
@@ -150,17 +148,24 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
 }
 
 // Nothing, with the reason, when no draw gives a velocity or several do.
-std::optional<VelocityHypothesis> EgoVelocityEstimator::Draw(
+std::optional<Eigen::Vector3d> EgoVelocityEstimator::Draw(
     const DopplerEquations& equations,
     const std::optional<VelocityGate>& temporal_gate,
+    bool is_planar,
     Random* random,
     std::string* reason) const {
   *reason = "all returns lie in one direction";
   if (!(equations.span > 0.0)) {
-    const auto hypothesis =
-        DrawVelocity(equations, options_.fit_gate, options_.num_draws, temporal_gate, random);
-    if (hypothesis) reason->clear();
-    return hypothesis;
+    std::optional<Eigen::Vector3d> v_radar;
+    if (options_.hypotheses == EgoVelocityOptions::Hypotheses::kSpatial && !is_planar) {
+      v_radar = DrawSpatialVelocity(
+          equations, options_.fit_gate, options_.num_draws, temporal_gate, random);
+    } else if (const auto hypothesis = DrawVelocity(
+                   equations, options_.fit_gate, options_.num_draws, temporal_gate, random)) {
+      v_radar = equations.basis * hypothesis->velocity;
+    }
+    if (v_radar) reason->clear();
+    return v_radar;
   }
   Eigen::Vector2d forward = equations.basis.transpose() * forward_radar_;
   // A radar that looks straight up or down has no direction of travel in its plane.
@@ -175,7 +180,8 @@ std::optional<VelocityHypothesis> EgoVelocityEstimator::Draw(
   if (!branch) return std::nullopt;
   *reason =
       branch->is_ambiguous ? "the Doppler leaves open which multiple of its span is true" : "";
-  return branch->is_ambiguous ? std::nullopt : std::make_optional(branch->hypothesis);
+  if (branch->is_ambiguous) return std::nullopt;
+  return equations.basis * branch->hypothesis.velocity;
 }
 
 Eigen::ArrayXd EgoVelocityEstimator::OcclusionWeights(const DopplerEquations& equations,

@@ -19,12 +19,12 @@
 
 namespace radive {
 
-// Velocity of the radar, scan by scan: RANSAC over two-point hypotheses, gated by the last good
-// velocity, then least squares over the returns within the fit gate (paper, preprocessing section;
-// DopplerFactor), gated anew for each round. With occlusion weights the fit is done once more, in
-// which returns behind others count less. Where the Doppler wraps (SensorOptions::doppler_span),
-// the multiple of the span is that nearest to the velocity at hand, which DrawVelocityBranch()
-// finds.
+// Velocity of the radar, scan by scan: RANSAC over hypotheses from two or three returns
+// (EgoVelocityOptions::hypotheses), gated by the last good velocity, then least squares over the
+// returns within the fit gate (paper, preprocessing section; DopplerFactor), gated anew for each
+// round. With occlusion weights the fit is done once more, in which returns behind others count
+// less. Where the Doppler wraps (SensorOptions::doppler_span), the multiple of the span is that
+// nearest to the velocity at hand, which DrawVelocityBranch() finds.
 //
 // Deterministic: the draws depend on the seed and on the number of scans so far.
 class EgoVelocityEstimator {
@@ -54,11 +54,13 @@ class EgoVelocityEstimator {
   EgoVelocity Fit(const DopplerEquations& equations,
                   const Eigen::Vector3d& up_radar,
                   const std::optional<VelocityGate>& temporal_gate,
-                  double vertical_ridge);
-  std::optional<VelocityHypothesis> Draw(const DopplerEquations& equations,
-                                         const std::optional<VelocityGate>& temporal_gate,
-                                         Random* random,
-                                         std::string* reason) const;
+                  double vertical_ridge,
+                  bool is_planar);
+  std::optional<Eigen::Vector3d> Draw(const DopplerEquations& equations,
+                                      const std::optional<VelocityGate>& temporal_gate,
+                                      bool is_planar,
+                                      Random* random,
+                                      std::string* reason) const;
   EgoVelocity Refine(const DopplerEquations& equations,
                      const Eigen::Vector3d& up_radar,
                      const Eigen::Vector3d& v_start,

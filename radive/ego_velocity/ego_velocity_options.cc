@@ -14,6 +14,12 @@ std::vector<OptionField> EgoVelocityOptions::Fields() {
                   "-",
                   "Whether to fit the velocity of the radar to the Doppler of each scan."},
       OptionField{
+          "hypotheses",
+          MakeChoice(&hypotheses, {"planar", "spatial"}),
+          "-",
+          "RANSAC draws velocities from two returns, without a vertical part, or from three "
+          "in 3D; planar sensors and Doppler that wraps always take the former."},
+      OptionField{
           "fit_gate", &fit_gate, "m/s", "Largest Doppler residual of returns used for the fit."}
           .Above(0.0),
       OptionField{"keep_gate",

@@ -12,7 +12,15 @@ namespace radive {
 
 // Velocity of the radar from the Doppler of one scan, and what follows from it for the returns.
 struct EgoVelocityOptions {
+  enum class Hypotheses {
+    kPlanar,   // from two returns, without vertical velocity
+    kSpatial,  // from three returns, in three dimensions (paper)
+  };
+
   bool enabled = true;
+
+  // What RANSAC draws. Samples of three are ill-conditioned at the elevations of most radars.
+  Hypotheses hypotheses = Hypotheses::kPlanar;
 
   // Largest Doppler residual of a return that the velocity is fitted to [m/s].
   double fit_gate = 0.3;

@@ -4,6 +4,7 @@
 #include "radive/ego_velocity/velocity_ransac.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "radive/geometry/plane_basis.h"
@@ -11,8 +12,9 @@
 namespace radive {
 namespace {
 
-// Determinant of two horizontal directions, about the sine of the angle between them, below which
-// a pair does not tell the velocity: Doppler noise would be amplified fifty times.
+// Determinant of two horizontal directions, about the sine of the angle between them, or of three
+// directions, below which they do not tell the velocity: Doppler noise would be amplified fifty
+// times.
 constexpr double kMinDeterminant = 0.02;
 
 int CountInliers(const DopplerEquations& equations, const Eigen::Vector2d& velocity, double gate) {
@@ -88,6 +90,34 @@ std::optional<VelocityHypothesis> DrawVelocity(const DopplerEquations& equations
     const Eigen::Vector2d velocity = Eigen::Vector2d(d * r - b * s, a * s - c * r) / determinant;
     if (temporal_gate && !temporal_gate->Contains(velocity)) continue;
     consider(velocity);
+  }
+  return best;
+}
+
+std::optional<Eigen::Vector3d> DrawSpatialVelocity(const DopplerEquations& equations,
+                                                   double gate,
+                                                   int num_draws,
+                                                   const std::optional<VelocityGate>& temporal_gate,
+                                                   Random* random) {
+  std::optional<Eigen::Vector3d> best;
+  Eigen::Index most_inliers = 0;
+  if (equations.size() < 3) return best;
+  const auto size = static_cast<std::uint64_t>(equations.size());
+  for (int draw = 0; draw < num_draws; ++draw) {
+    Eigen::Matrix3d directions;
+    Eigen::Vector3d v_doppler;
+    for (int row = 0; row < 3; ++row) {
+      const auto i = static_cast<Eigen::Index>(random->Index(size));
+      directions.row(row) = equations.Direction(i);
+      v_doppler[row] = equations.v_doppler[i];
+    }
+    if (!(std::abs(directions.determinant()) > kMinDeterminant)) continue;
+    const Eigen::Vector3d velocity = -directions.inverse() * v_doppler;
+    if (temporal_gate && !temporal_gate->Contains(equations.basis.transpose() * velocity)) continue;
+    const Eigen::Index num_inliers = (equations.Residuals(velocity).abs() <= gate).count();
+    if (best && num_inliers <= most_inliers) continue;
+    best = velocity;
+    most_inliers = num_inliers;
   }
   return best;
 }

@@ -82,4 +82,13 @@ std::optional<VelocityHypothesis> DrawVelocity(const DopplerEquations& equations
                                                const std::optional<VelocityGate>& temporal_gate,
                                                Random* random);
 
+// The same in three dimensions, from three returns a hypothesis (paper, "Dynamic point filtering
+// via RANSAC and ego-velocity"): the velocity of the radar in its own frame [m/s]. The temporal
+// gate limits the horizontal part.
+std::optional<Eigen::Vector3d> DrawSpatialVelocity(const DopplerEquations& equations,
+                                                   double gate,
+                                                   int num_draws,
+                                                   const std::optional<VelocityGate>& temporal_gate,
+                                                   Random* random);
+
 }  // namespace radive

@@ -8,10 +8,11 @@ namespace radive {
 std::vector<OptionField> NdtOptions::Fields() {
   return {
       {"representation",
-       MakeChoice(&representation, {"voxel", "point"}),
+       MakeChoice(&representation, {"auto", "voxel", "point"}),
        "-",
        "What a Gaussian stands for: the points of a voxel (dense sensors), or each point with the "
-       "sensor's noise (sparse sensors)."},
+       "sensor's noise (sparse sensors); auto decides by the first scan that is registered with, "
+       "and run.json says how."},
       OptionField{"voxel_size", &voxel_size, "m", "Edges of a voxel along x, y and z."}
           .Above(0.0)
           .Size(3),

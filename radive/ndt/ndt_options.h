@@ -13,10 +13,11 @@ namespace radive {
 // How points become Gaussians.
 struct NdtOptions {
   enum class Representation {
+    kAuto,   // kVoxel or kPoint by the first scan of the drive, see choose_representation.h
     kVoxel,  // the points of an anisotropic voxel together: dense sensors
     kPoint,  // every point for itself, with the sensor's noise: sparse sensors
   };
-  Representation representation = Representation::kPoint;
+  Representation representation = Representation::kAuto;
 
   std::vector<double> voxel_size = {2.0, 2.0, 1.0};  // x, y, z [m]
   double epsilon = 0.05;                             // added to each variance [m^2]
@@ -24,6 +25,9 @@ struct NdtOptions {
 
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const { return CheckOptions("ndt", *this, error); }
+
+  // What is not chosen yet counts as points.
+  bool IsVoxel() const { return representation == Representation::kVoxel; }
 };
 
 }  // namespace radive

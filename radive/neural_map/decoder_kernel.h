@@ -26,10 +26,14 @@ class DecoderKernel {
   using FeatureVector = Eigen::Matrix<double, kFeature, 1>;
 
   DecoderKernel(const SdfDecoder& decoder, double unit)
-      : is_softsign_(decoder.activation() == SdfDecoder::Activation::kSoftsign), unit_(unit) {
+      : DecoderKernel(decoder.parameters().data(), decoder.activation(), unit) {
     CHECK_EQ(decoder.feature_dim(), kFeature);
     CHECK_EQ(decoder.hidden(), kHidden);
-    const double* p = decoder.parameters().data();
+  }
+
+  // `p`: the parameters in the order of SdfDecoder.
+  DecoderKernel(const double* p, SdfDecoder::Activation activation, double unit)
+      : is_softsign_(activation == SdfDecoder::Activation::kSoftsign), unit_(unit) {
     for (int i = 0; i < kHidden; ++i, p += kFeature + 4) {
       for (int k = 0; k < kFeature; ++k) feature_weights_(i, k) = p[k];
       for (int k = 0; k < 3; ++k) position_weights_(i, k) = p[kFeature + k] / unit;
@@ -73,6 +77,33 @@ class DecoderKernel {
       for (int k = 0; k < 3; ++k) (*by_position)[k] = (slope * position_weights_.col(k)).sum();
     }
     return value;
+  }
+
+  // Adds `scale` times the derivatives of D with respect to the decoder's parameters [m] to `row`,
+  // in the order of SdfDecoder; `feature_part` is Feature(feature).
+  void AddByParameters(const double* feature,
+                       const HiddenArray& feature_part,
+                       const Eigen::Vector3d& d,
+                       double scale,
+                       double* row) const {
+    const HiddenArray h = Hidden(feature_part, d);
+    HiddenArray activated, slope;
+    if (is_softsign_) {
+      const HiddenArray inverse = (1.0 + h.abs()).inverse();
+      activated = h * inverse;
+      slope = output_weights_ * inverse.square();
+    } else {
+      activated = h.max(0.0);
+      slope = (h > 0.0).select(output_weights_, HiddenArray::Zero());
+    }
+    for (int i = 0; i < kHidden; ++i, row += kFeature + 4) {
+      const double s = scale * slope[i];
+      for (int k = 0; k < kFeature; ++k) row[k] += s * feature[k];
+      for (int k = 0; k < 3; ++k) row[kFeature + k] += s * d[k] / unit_;
+      row[kFeature + 3] += s;
+    }
+    for (int i = 0; i < kHidden; ++i) row[i] += scale * unit_ * activated[i];
+    row[kHidden] += scale * unit_;
   }
 
  private:

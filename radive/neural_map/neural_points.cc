@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radive/util/cell_key.h"
+
 namespace radive {
 namespace {
 
@@ -55,6 +57,9 @@ std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns
     const std::uint64_t key = CellKey(cell.x(), cell.y(), cell.z());
     const auto [at, is_new] = cells_.try_emplace(key, static_cast<std::int32_t>(points_.size()));
     if (is_new) {
+      occupied_.Insert(static_cast<std::int64_t>(cell.x()),
+                       static_cast<std::int64_t>(cell.y()),
+                       static_cast<std::int64_t>(cell.z()));
       points_.emplace_back();
       points_.back().position = entry.position;
       points_.back().cell = key;
@@ -113,6 +118,7 @@ void NeuralPoints::Clear() {
   points_.clear();
   features_.clear();
   cells_.clear();
+  occupied_.Clear();
 }
 
 void NeuralPoints::Transform(const Rigid3& T_new_old) {
@@ -130,18 +136,21 @@ void NeuralPoints::Transform(const Rigid3& T_new_old) {
 
 void NeuralPoints::Rebuild() {
   cells_.clear();
+  occupied_.Clear();
   for (std::size_t k = points_.size(); k-- > 0;) {
     const auto [at, is_new] = cells_.try_emplace(points_[k].cell, static_cast<std::int32_t>(k));
     points_[k].next = is_new ? -1 : at->second;
     if (!is_new) at.value() = static_cast<std::int32_t>(k);
+    const Eigen::Vector3i cell = CellOfKey(points_[k].cell);
+    occupied_.Insert(cell.x(), cell.y(), cell.z());
   }
 }
 
-Neighbors NeuralPoints::Nearest(const Eigen::Vector3d& position) const {
+Neighbors NeuralPoints::Nearest(const Eigen::Vector3d& position, int except) const {
   Neighbors neighbors;
   if (!position.allFinite()) return neighbors;
   ForEachNear(position, [&](int k, double squared_distance) {
-    Insert(k, squared_distance, options_.num_neighbors, &neighbors);
+    if (k != except) Insert(k, squared_distance, options_.num_neighbors, &neighbors);
   });
   return neighbors;
 }

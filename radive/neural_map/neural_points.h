@@ -13,7 +13,7 @@
 
 #include "radive/geometry/rigid3.h"
 #include "radive/neural_map/neural_map_options.h"
-#include "radive/util/cell_key.h"
+#include "radive/neural_map/occupied_cells.h"
 
 namespace radive {
 
@@ -75,8 +75,8 @@ class NeuralPoints {
   // the orientations).
   void Transform(const Rigid3& T_new_old);
 
-  // The K nearest points within twice the resolution of `position`.
-  Neighbors Nearest(const Eigen::Vector3d& position) const;
+  // The K nearest points within twice the resolution of `position`, without the point `except`.
+  Neighbors Nearest(const Eigen::Vector3d& position, int except = -1) const;
 
   // How much the map trusts that something is there: sum of sqrt(c_k) exp(-d_k^2 / (2 res^2)) over
   // the points within twice the resolution. The root makes a surface out of many points worth more
@@ -88,13 +88,15 @@ class NeuralPoints {
   template <typename Function>
   void ForEachNear(const Eigen::Vector3d& position, Function&& function) const {
     const Eigen::Array3d cell = CellOf(position);
-    const std::int64_t x = static_cast<std::int64_t>(cell.x());
-    const std::int64_t y = static_cast<std::int64_t>(cell.y());
-    const std::int64_t z = static_cast<std::int64_t>(cell.z());
+    const auto x = static_cast<std::int64_t>(cell.x());
+    const auto y = static_cast<std::int64_t>(cell.y());
+    const auto z = static_cast<std::int64_t>(cell.z());
     const double max_squared_distance = 4.0 * options_.resolution * options_.resolution;
-    for (std::int64_t dx = -kSearchCells; dx <= kSearchCells; ++dx) {
-      for (std::int64_t dy = -kSearchCells; dy <= kSearchCells; ++dy) {
-        for (std::int64_t dz = -kSearchCells; dz <= kSearchCells; ++dz) {
+    const OccupiedCells::Around occupied(occupied_, x, y, z);
+    for (std::int64_t dx = -OccupiedCells::kReach; dx <= OccupiedCells::kReach; ++dx) {
+      for (std::int64_t dy = -OccupiedCells::kReach; dy <= OccupiedCells::kReach; ++dy) {
+        for (std::int64_t dz = -OccupiedCells::kReach; dz <= OccupiedCells::kReach; ++dz) {
+          if (!occupied.IsOccupied(x + dx, y + dy, z + dz)) continue;
           const auto at = cells_.find(CellKey(x + dx, y + dy, z + dz));
           for (int k = at == cells_.end() ? -1 : at->second; k >= 0; k = point(k).next) {
             const double squared_distance = (point(k).position - position).squaredNorm();
@@ -105,8 +107,7 @@ class NeuralPoints {
     }
   }
 
-  // Index of the last keyframe; -1 before the first.
-  int last_keyframe() const { return last_keyframe_; }
+  int last_keyframe() const { return last_keyframe_; }  // its index; -1 before the first
 
   // The point whose cell holds `position`; -1: none.
   int At(const Eigen::Vector3d& position) const;
@@ -136,15 +137,13 @@ class NeuralPoints {
   }
   void Rebuild();
 
-  // Half width of the searched block of cells.
-  static constexpr std::int64_t kSearchCells = 2;
-
   const NeuralMapOptions options_;
   const double inverse_resolution_;
   int last_keyframe_ = -1;
   std::vector<NeuralPoint> points_;
   std::vector<double> features_;
   tsl::robin_map<std::uint64_t, std::int32_t, CellKeyHash> cells_;
+  OccupiedCells occupied_;  // the keys of cells_
 };
 
 }  // namespace radive

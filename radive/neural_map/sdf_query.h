@@ -25,13 +25,15 @@ inline double NeighborWeight(double squared_distance, double softening) {
 }
 
 // S(x) = sum_k nu_k D(f_k, q_k (x - x_k) q_k^-1) / sum_k nu_k over the K nearest neural points
-// (paper, section "Surface Point Extraction"), with its gradient for fixed neighbours.
+// (paper, section "Surface Point Extraction"), with its gradient for fixed neighbours. `except`: a
+// neural point that has no say, such as the one at the position itself; -1: none.
 template <int kFeature, int kHidden>
 SdfValue QuerySdf(const NeuralPoints& map,
                   const DecoderKernel<kFeature, kHidden>& kernel,
-                  const Eigen::Vector3d& position) {
+                  const Eigen::Vector3d& position,
+                  int except = -1) {
   SdfValue result;
-  const Neighbors neighbors = map.Nearest(position);
+  const Neighbors neighbors = map.Nearest(position, except);
   result.num_neighbors = neighbors.count;
   const double softening = map.options().softening;
   double weight_sum = 0.0;

@@ -24,6 +24,10 @@ std::vector<OptionField> SurfaceOptions::Fields() {
        MakeChoice(&criterion, {"sdf", "density"}),
        "-",
        "Points with a small |S|, or as many points of the largest support (for comparison)."},
+      {"leave_out_self",
+       &leave_out_self,
+       "-",
+       "S at a neural point comes from its neighbours alone, without the point itself."},
       OptionField{"threshold", &threshold, "m", "tau_s: surface points have |S| at most this."}
           .Above(0.0),
       OptionField{
@@ -47,21 +51,24 @@ std::vector<OptionField> SurfaceOptions::Fields() {
   };
 }
 
-std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecoder& decoder) {
+std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
+                                         const SdfDecoder& decoder,
+                                         bool leave_out_self) {
   std::vector<int> all(static_cast<std::size_t>(map.size()));
   std::iota(all.begin(), all.end(), 0);
-  return EvaluatePoints(map, decoder, all);
+  return EvaluatePoints(map, decoder, all, leave_out_self);
 }
 
 std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
                                          const SdfDecoder& decoder,
-                                         const std::vector<int>& indices) {
+                                         const std::vector<int>& indices,
+                                         bool leave_out_self) {
   std::vector<SurfacePoint> result;
   result.reserve(indices.size());
   WithDecoderKernel(decoder, map.options().resolution, [&](const auto& kernel) {
     for (const int k : indices) {
       const NeuralPoint& point = map.point(k);
-      const SdfValue field = QuerySdf(map, kernel, point.position);
+      const SdfValue field = QuerySdf(map, kernel, point.position, leave_out_self ? k : -1);
       if (field.num_neighbors == 0) continue;
       SurfacePoint surface;
       surface.index = k;
@@ -133,7 +140,7 @@ std::vector<SurfacePoint> SelectSurface(const std::vector<SurfacePoint>& points,
 std::vector<SurfacePoint> ExtractSurface(const NeuralPoints& map,
                                          const SdfDecoder& decoder,
                                          const SurfaceOptions& options) {
-  return SelectSurface(EvaluatePoints(map, decoder), options);
+  return SelectSurface(EvaluatePoints(map, decoder, options.leave_out_self), options);
 }
 
 }  // namespace radive

@@ -24,13 +24,16 @@ struct SurfacePoint {
 };
 
 // S of every neural point (normal of unit length; the point's own z axis where S is flat). Points
-// whose field is not finite are left out.
-std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map, const SdfDecoder& decoder);
+// whose field is not finite are left out. `leave_out_self`: see SurfaceOptions.
+std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
+                                         const SdfDecoder& decoder,
+                                         bool leave_out_self = false);
 
 // The same of the neural points `indices` alone.
 std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
                                          const SdfDecoder& decoder,
-                                         const std::vector<int>& indices);
+                                         const std::vector<int>& indices,
+                                         bool leave_out_self = false);
 
 // Those of `points` that lie on a surface: |S| <= threshold (paper, eq. of P_surf) and support >=
 // min_support, moved and weighted as `options` say, in the same order.

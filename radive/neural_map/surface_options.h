@@ -18,6 +18,11 @@ struct SurfaceOptions {
   };
   Criterion criterion = Criterion::kSdf;
 
+  // Whether S at a neural point is what its neighbours say, without itself. The printed weight
+  // 1 / d^2 is infinite for the point itself (neural_map.softening keeps it finite): then it alone
+  // decides.
+  bool leave_out_self = false;
+
   double threshold = 0.5;    // tau_s: |S| at most this [m]
   double min_support = 0.7;  // NeuralPoints::Support() at least this [-]
 

@@ -16,6 +16,12 @@ namespace {
 // covariance says: the velocity and the turning rate change meanwhile.
 constexpr double kUnseenAcceleration = 0.15;  // share of t^2 in the position [m/s^2]
 
+// Longest time without a scan over which a turning rate is carried on [s]: turns are short.
+constexpr double kCarriedTurn = 3.0;
+
+// Standard deviation of a rotation of which nothing is known [rad]: that of a uniform angle.
+constexpr double kAnyRotation = 1.8;
+
 // Stamps jitter; the noise of a motion in no time at all is not zero [s].
 constexpr double kShortestInterval = 1e-3;
 
@@ -36,6 +42,10 @@ double MotionModel::UnseenTime(double dt) const {
   return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
 }
 
+double MotionModel::UnknownTime(double dt) const {
+  return std::max(0.0, UnseenTime(dt) - kCarriedTime);
+}
+
 // Standard deviation of what the motion did in the time that no scan was seen [m].
 double MotionModel::UnseenSigma(double dt) const {
   const double unseen = UnseenTime(dt);
@@ -43,6 +53,8 @@ double MotionModel::UnseenSigma(double dt) const {
 }
 
 MotionPrediction MotionModel::Predict(const EgoVelocity& velocity, double dt) const {
+  const double turning_time = dt - std::max(0.0, UnseenTime(dt) - kCarriedTurn);
+  dt -= UnknownTime(dt);
   MotionPrediction prediction;
   prediction.has_doppler = HasVelocity(velocity);
   if (prediction.has_doppler && has_doppler_velocity_) {
@@ -58,8 +70,9 @@ MotionPrediction MotionModel::Predict(const EgoVelocity& velocity, double dt) co
     const Eigen::Vector3d up = UpRadar(T_vehicle_radar_);
     rate += up * (*yaw_rate - up.dot(rate));
   }
-  const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * dt * rate);
-  prediction.T_world_radar = {T_world_radar_.rotation * QuaternionFromRotationVector(dt * rate),
+  const Eigen::Vector3d turn = turning_time * rate;
+  const Eigen::Quaterniond half_turn = QuaternionFromRotationVector(0.5 * turn);
+  prediction.T_world_radar = {T_world_radar_.rotation * QuaternionFromRotationVector(turn),
                               T_world_radar_.translation +
                                   T_world_radar_.rotation * (half_turn * (prediction.v_mean * dt))};
   return prediction;
@@ -82,7 +95,7 @@ RegistrationPriors MotionModel::Priors(const MotionPrediction& prediction,
         time * time * velocity.covariance + variance * Eigen::Matrix3d::Identity()};
   }
   if (motion.low_speed_lambda > 0.0 && prediction.has_doppler &&
-      prediction.v_mean.norm() < motion.low_speed_limit) {
+      velocity.v_radar.norm() < motion.low_speed_limit) {
     priors.translation =
         RegistrationPriors::Translation{prediction.T_world_radar.translation,
                                         Eigen::Matrix3d::Identity() / motion.low_speed_lambda};
@@ -107,14 +120,24 @@ RegistrationPriors MotionModel::Priors(const MotionPrediction& prediction,
 
 Matrix6d MotionModel::PredictedCovariance(const EgoVelocity& velocity, double dt) const {
   Matrix6d covariance = covariance_;
-  const double sigma_rotation = kUnseenRotationRate * dt;
+  const double unknown = UnknownTime(dt);
+  const double sigma_rotation = std::min(kUnseenRotationRate * dt, kAnyRotation);
   covariance.topLeftCorner<3, 3>().diagonal().array() += sigma_rotation * sigma_rotation;
   const Eigen::Matrix3d R = T_world_radar_.RotationMatrix();
+  const double speed_now = HasVelocity(velocity) ? velocity.v_radar.norm() : 0.0;
   const Eigen::Matrix3d velocity_covariance =
       HasVelocity(velocity)
           ? velocity.covariance
           : Eigen::Matrix3d(kUnknownVelocity * kUnknownVelocity * Eigen::Matrix3d::Identity());
-  covariance.bottomRightCorner<3, 3>() += dt * dt * R * velocity_covariance * R.transpose();
+  const double carried = dt - unknown;
+  covariance.bottomRightCorner<3, 3>() +=
+      carried * carried * R * velocity_covariance * R.transpose();
+  if (unknown > 0.0) {
+    // It may have stood, or gone on as at the faster of both ends.
+    const double speed = std::max({speed_now, velocity_.norm(), kUnknownVelocity});
+    const double sigma = UnseenSigma(carried) + speed * unknown;
+    covariance.bottomRightCorner<3, 3>().diagonal().array() += sigma * sigma;
+  }
   return covariance;
 }
 
@@ -131,7 +154,9 @@ void MotionModel::LearnSlip(const MotionPrediction& prediction,
 
 void MotionModel::Follow(const OdometryResult& result, double dt) {
   has_doppler_velocity_ = HasVelocity(result.ego_velocity);
-  if (dt > 0.0) {
+  if (UnknownTime(dt) > 0.0) {
+    rate_.setZero();  // that before the gap is over, and the velocity is all that there is
+  } else if (dt > 0.0) {
     const Rigid3 T_last_now = T_world_radar_.Inverse() * result.T_world_radar;
     rate_ = RotationVector(T_last_now.rotation) / dt;
     if (!has_doppler_velocity_) {

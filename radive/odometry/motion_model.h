@@ -23,6 +23,11 @@ struct MotionPrediction {
 // Growth of a prediction's rotation error with the time that no scan was seen [rad/s].
 constexpr double kUnseenRotationRate = 0.1;
 
+// Longest time without a scan, beyond the usual interval, over which a velocity is carried on [s]:
+// half of it from the velocity before and half from that behind. What happens in between nobody
+// knows: the pose claims no motion there, and its covariance grows by what it may have been.
+constexpr double kCarriedTime = 10.0;
+
 // Motion of a radar from scan to scan: predicts the next pose, and says as priors of registration
 // what is known of it. The world frame is the radar's at its first scan.
 class MotionModel {
@@ -39,6 +44,9 @@ class MotionModel {
                             double dt) const;
   // Of a pose that only the prediction moved: the last one's, and what the motion since adds.
   Matrix6d PredictedCovariance(const EgoVelocity& velocity, double dt) const;
+
+  // What of `dt` is longer than a velocity is carried on [s]; 0: no gap, or a short one.
+  double UnknownTime(double dt) const;
 
   // What registration says of the vehicle's slip angle.
   void LearnSlip(const MotionPrediction& prediction,

@@ -39,6 +39,7 @@ class Odometry::Impl {
 
   OdometryResult AddScan(const RadarScan& scan);
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
+  std::vector<std::string> TakeWarnings() { return std::exchange(warnings_, {}); }
   std::vector<RadarSurface> TakeSurfaces();
 
  private:
@@ -63,6 +64,7 @@ class Odometry::Impl {
   std::optional<std::int64_t> last_stamp_ns_;
   std::set<std::string> known_notes_;
   std::vector<std::string> notes_;
+  std::vector<std::string> warnings_;
 };
 
 Odometry::Impl::Radar* Odometry::Impl::RadarOf(const RadarScan& scan) {
@@ -126,6 +128,12 @@ OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
   } else {
     result = radar->odometry.AddScan(scan);
     TakeNotesOf(&radar->odometry);
+    std::vector<std::string> warnings = radar->odometry.TakeWarnings();
+    // Where another radar has given scans meanwhile, the motion is known from it.
+    constexpr std::int64_t kShortTime = 1'000'000'000;
+    if (last_stamp_ns_ && scan.stamp_ns - *last_stamp_ns_ > kShortTime) {
+      for (std::string& warning : warnings) warnings_.push_back(std::move(warning));
+    }
   }
   result.index = num_scans_++;
   if (result.status == OdometryResult::Status::kSkipped) {
@@ -155,6 +163,7 @@ Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
 OdometryResult Odometry::AddScan(const RadarScan& scan) { return impl_->AddScan(scan); }
 std::vector<std::string> Odometry::TakeNotes() { return impl_->TakeNotes(); }
+std::vector<std::string> Odometry::TakeWarnings() { return impl_->TakeWarnings(); }
 std::vector<RadarSurface> Odometry::TakeSurfaces() { return impl_->TakeSurfaces(); }
 
 }  // namespace radive

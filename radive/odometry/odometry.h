@@ -46,6 +46,10 @@ class Odometry {
   // Cleared by the call.
   std::vector<std::string> TakeNotes();
 
+  // What makes the poses doubtful: gaps in which no radar gave a scan, and what was done about
+  // them. Cleared by the call.
+  std::vector<std::string> TakeWarnings();
+
   // What the neural submaps have learned of the surface over the whole drive: for maps, at the end
   // of a drive. Empty unless options.sdf_submap.record is set, and of radars whose submap stayed
   // raw. Ends the recording.

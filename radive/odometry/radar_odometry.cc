@@ -9,19 +9,29 @@
 #include <cmath>
 #include <utility>
 
+#include "radive/ndt/choose_representation.h"
 #include "radive/odometry/scan_filter.h"
 #include "radive/odometry/submap.h"
 #include "radive/registration/registration.h"
+#include "radive/util/number_text.h"
 #include "radive/util/seconds.h"
 #include "radive/util/stopwatch.h"
 
 namespace radive {
+namespace {
+
+// A gap that is worth a warning: so many usual intervals, and so long [s].
+constexpr double kGapIntervals = 5.0;
+constexpr double kGapTime = 1.0;
+// A scan behind a gap fits as scans before did with this share of their pairs at least, and a cost
+// that is higher by this share at most.
+constexpr double kFewerPairs = 0.8;
+constexpr double kHigherCost = 0.3;
+
+}  // namespace
 
 RadarOdometry::RadarOdometry(const OdometryOptions& options)
-    : options_(options),
-      motion_(options),
-      filter_(options, options.sensor),
-      submap_(MakeSubmap(options)) {}
+    : options_(options), motion_(options), filter_(options, options.sensor) {}
 
 std::string RadarOdometry::WhyOutOfOrder(const RadarScan& scan) const {
   if (!last_stamp_ns_ || scan.stamp_ns > *last_stamp_ns_) return "";
@@ -35,6 +45,20 @@ void RadarOdometry::NoteMissingDoppler(const RadarScan& scan) {
                        ? "ego velocity is switched off: no dynamic filter, no weights"
                        : "scans carry no Doppler: ego velocity, dynamic filter and weights are "
                          "off");
+}
+
+bool RadarOdometry::CanStart(const FilteredScan& filtered) const {
+  return static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
+}
+
+void RadarOdometry::PrepareSubmap(const FilteredScan& filtered) {
+  if (submap_ != nullptr || !CanStart(filtered)) return;
+  if (options_.ndt.representation == NdtOptions::Representation::kAuto) {
+    std::string reason;
+    options_.ndt.representation = ChooseRepresentation(filtered.returns, options_.ndt, &reason);
+    notes_.push_back(std::move(reason));
+  }
+  submap_ = MakeSubmap(options_);
 }
 
 void RadarOdometry::Register(const FilteredScan& filtered,
@@ -80,6 +104,48 @@ void RadarOdometry::Register(const FilteredScan& filtered,
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
 }
 
+void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
+                                    double dt,
+                                    OdometryResult* result) {
+  const double interval = motion_.usual_interval();
+  Register(filtered, motion_.Predict(result->ego_velocity, interval), interval, result);
+  const double num_gaussians = std::max(1, result->num_gaussians);
+  // Costs of NDT are below 0: the more, the better.
+  const double worst_cost = usual_cost_ + kHigherCost * std::abs(usual_cost_);
+  const bool fits = result->status == OdometryResult::Status::kRegistered &&
+                    result->num_pairs >= kFewerPairs * usual_pairs_ * num_gaussians &&
+                    (!has_fit_ || result->cost <= worst_cost * num_gaussians);
+  if (fits) return;
+  result->status = OdometryResult::Status::kPredicted;
+  result->reason = "the motion during a gap without scans is unknown" +
+                   (result->reason.empty() ? "" : ": " + result->reason);
+  result->T_world_radar = motion_.Predict(result->ego_velocity, dt).T_world_radar;
+  result->num_pairs = 0;
+  result->cost = 0.0;
+  if (submap_ != nullptr) submap_->Clear();
+  T_world_keyframe_.reset();
+}
+
+void RadarOdometry::WarnOfGap(double dt, const OdometryResult& result) {
+  const double usual_interval = motion_.usual_interval();
+  if (usual_interval == 0.0 || dt <= std::max(kGapTime, kGapIntervals * usual_interval)) return;
+  const std::string gap = FormatText(
+      "gap of %.4g s without scans before the stamp %.3f: ", dt, Seconds(result.stamp_ns));
+  std::string what = "the scan behind it is registered with the submap before";
+  if (result.status == OdometryResult::Status::kStanding) what = "the radar stands at both ends";
+  if (result.status == OdometryResult::Status::kPredicted) {
+    what = "the scan behind it does not fit the submap before; the pose rests on the velocities";
+  }
+  if (motion_.UnknownTime(dt) > 0.0) {
+    what = result.status == OdometryResult::Status::kRegistered
+               ? "the scan behind it fits as if no time had passed, and is taken so"
+               : "the motion within is unknown beyond " +
+                     std::to_string(static_cast<int>(kCarriedTime)) +
+                     " s of the velocities at its ends; the map starts anew";
+  }
+  warnings_.push_back(gap + what);
+}
+
 // The pose of the scan: status, reason, T_world_radar and covariance of `result`.
 void RadarOdometry::Locate(const RadarScan& scan,
                            const FilteredScan& filtered,
@@ -92,18 +158,19 @@ void RadarOdometry::Locate(const RadarScan& scan,
   const bool may_have_moved = usual_interval > 0.0 &&
                               motion_.time_since_registered() + dt > 1.5 * usual_interval &&
                               motion_.speed() >= options_.ego_velocity.standing_speed;
-  if (submap_->search() == nullptr) {
+  if (submap_ == nullptr || submap_->search() == nullptr) {
     // Nothing to register against yet: the first scan with enough returns starts the submap.
     result->T_world_radar = prediction.T_world_radar;
     result->covariance = motion_.covariance();
-    const bool can_start =
-        static_cast<int>(filtered.returns.size()) >= options_.registration.min_gaussians;
+    const bool can_start = CanStart(filtered);
     result->status =
         can_start ? OdometryResult::Status::kRegistered : OdometryResult::Status::kPredicted;
     if (!can_start) {
       result->reason = std::to_string(filtered.returns.size()) + " returns left, " +
                        std::to_string(options_.registration.min_gaussians) + " needed";
     }
+  } else if (motion_.UnknownTime(dt) > 0.0) {
+    LocateBehindGap(filtered, dt, result);
   } else if (velocity.is_standing && !may_have_moved) {
     result->status = OdometryResult::Status::kStanding;
     result->reason = "standing";
@@ -115,9 +182,17 @@ void RadarOdometry::Locate(const RadarScan& scan,
   if (result->status != OdometryResult::Status::kPredicted) return;
   result->covariance = motion_.PredictedCovariance(velocity, dt);
   if (!velocity.valid && scan.has_doppler && options_.ego_velocity.enabled &&
-      !velocity.reason.empty()) {
+      !velocity.reason.empty() && motion_.UnknownTime(dt) == 0.0) {
     result->reason = "ego velocity: " + velocity.reason;
   }
+}
+
+void RadarOdometry::LearnFit(const OdometryResult& result) {
+  const double num_gaussians = std::max(1, result.num_gaussians);
+  const double gain = has_fit_ ? 0.1 : 1.0;
+  has_fit_ = true;
+  usual_pairs_ += gain * (result.num_pairs / num_gaussians - usual_pairs_);
+  usual_cost_ += gain * (result.cost / num_gaussians - usual_cost_);
 }
 
 bool RadarOdometry::IsKeyframe(const OdometryResult& result) const {
@@ -162,13 +237,20 @@ OdometryResult RadarOdometry::AddScan(const RadarScan& scan) {
   const double dt = last_stamp_ns_ ? Seconds(scan.stamp_ns - *last_stamp_ns_) : 0.0;
 
   const Stopwatch handover_stopwatch;
-  submap_->NextScan();
+  if (submap_ != nullptr) {
+    submap_->NextScan();
+    for (std::string& note : submap_->TakeNotes()) notes_.push_back(std::move(note));
+  }
   result.times_ms.submap = handover_stopwatch.Milliseconds();
-  for (std::string& note : submap_->TakeNotes()) notes_.push_back(std::move(note));
   motion_.Advance(dt);
   NoteMissingDoppler(scan);
   FilteredScan filtered = filter_.Filter(scan, &result);
+  PrepareSubmap(filtered);
   Locate(scan, filtered, dt, &result);
+  WarnOfGap(dt, result);
+  if (result.status == OdometryResult::Status::kRegistered && result.num_pairs > 0) {
+    LearnFit(result);
+  }
   motion_.Follow(result, dt);
   last_stamp_ns_ = scan.stamp_ns;
 

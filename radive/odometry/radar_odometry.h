@@ -31,14 +31,21 @@ class RadarOdometry {
   OdometryResult AddScan(const RadarScan& scan);
 
   // See Odometry::TakeSurfaces.
-  std::optional<SurfaceRecord> TakeSurfaceRecord() { return submap_->TakeSurfaceRecord(); }
+  std::optional<SurfaceRecord> TakeSurfaceRecord() {
+    return submap_ == nullptr ? std::nullopt : submap_->TakeSurfaceRecord();
+  }
 
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
+
+  // What makes the poses doubtful, such as a gap between scans.
+  std::vector<std::string> TakeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
   // "stamp repeats" or "stamp goes back" when the scan cannot follow the last one.
   std::string WhyOutOfOrder(const RadarScan& scan) const;
   void NoteMissingDoppler(const RadarScan& scan);
+  // The first scan that can start the submap says of what Gaussians, where the options do not.
+  void PrepareSubmap(const FilteredScan& filtered);
   void Locate(const RadarScan& scan,
               const FilteredScan& filtered,
               double dt,
@@ -47,18 +54,31 @@ class RadarOdometry {
                 const MotionPrediction& prediction,
                 double dt,
                 OdometryResult* result);
+  // Behind a gap in which the motion is unknown: registers the scan as if no time had passed, and
+  // where it does not fit the submap as well as scans before did, starts the submap anew.
+  void LocateBehindGap(const FilteredScan& filtered, double dt, OdometryResult* result);
+  void WarnOfGap(double dt, const OdometryResult& result);
+  // Takes in how well a registered scan fits.
+  void LearnFit(const OdometryResult& result);
   bool IsKeyframe(const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);
 
-  const OdometryOptions options_;
+  bool CanStart(const FilteredScan& filtered) const;
+
+  OdometryOptions options_;
   MotionModel motion_;
   ScanFilter filter_;
-  std::unique_ptr<Submap> submap_;
+  std::unique_ptr<Submap> submap_;          // null until it is known of what Gaussians
   std::optional<Rigid3> T_world_keyframe_;  // T_world_radar of the last keyframe
   std::optional<std::int64_t> last_stamp_ns_;
   int num_scans_ = 0;
+  // How well registered scans fit, exponentially weighted: pairs and cost per Gaussian.
+  bool has_fit_ = false;
+  double usual_pairs_ = 1.0;
+  double usual_cost_ = 0.0;
   bool has_noted_doppler_ = false;
   std::vector<std::string> notes_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace radive

@@ -16,7 +16,7 @@
 namespace radive {
 
 std::vector<Gaussian3> GaussiansOfScan(const FilteredScan& scan, const OdometryOptions& options) {
-  if (options.ndt.representation == NdtOptions::Representation::kPoint) {
+  if (!options.ndt.IsVoxel()) {
     return GaussiansOfReturns(
         scan.returns, scan.weights, options.sensor, options.ndt, scan.is_planar);
   }
@@ -68,7 +68,11 @@ FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
   Stopwatch stopwatch;
   FilteredScan filtered;
   filtered.is_planar = scan.is_planar;
-  filtered.returns = CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
+  const bool has_bins_first = options_.preprocessing.azimuth_bin_order ==
+                              PreprocessingOptions::AzimuthBinOrder::kBeforeVelocity;
+  filtered.returns = has_bins_first
+                         ? Preprocess(scan, options_.sensor, options_.preprocessing, nullptr)
+                         : CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
   result->times_ms.preprocessing = stopwatch.Lap();
 
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
@@ -84,7 +88,9 @@ FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
     }
   }
   result->times_ms.ego_velocity = stopwatch.Lap();
-  filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
+  if (!has_bins_first) {
+    filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
+  }
   filtered.weights =
       use_doppler && HasVelocity(result->ego_velocity) && options_.ego_velocity.weights
           ? DiscrepancyWeights(filtered.returns,

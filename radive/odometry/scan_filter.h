@@ -30,7 +30,8 @@ inline bool HasVelocity(const EgoVelocity& velocity) {
 }
 
 // From a scan to its static returns: correction and gates, ego velocity, removal of what moves and
-// of what lies behind other returns, azimuth bins, weights. One for each radar.
+// of what lies behind other returns, azimuth bins (first, if preprocessing.azimuth_bin_order says
+// so), weights. One for each radar.
 class ScanFilter {
  public:
   // `sensor`: the sensor options of this radar.

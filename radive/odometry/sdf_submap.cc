@@ -87,7 +87,7 @@ class SurfaceWorker {
   }
 
  private:
-  bool IsVoxel() const { return options_.ndt.representation == NdtOptions::Representation::kVoxel; }
+  bool IsVoxel() const { return options_.ndt.IsVoxel(); }
 
   Gaussian3 PointGaussian(const Eigen::Vector3d& mean,
                           const Eigen::Matrix3d& covariance,
@@ -167,7 +167,8 @@ class SdfSubmap : public Submap {
   explicit SdfSubmap(const OdometryOptions& options)
       : options_(options),
         raw_(MakeRawSubmap(options.submap, options.ndt, options.sensor)),
-        worker_(std::make_unique<SurfaceWorker>(options)) {}
+        worker_(std::make_unique<SurfaceWorker>(options)),
+        mode_(FirstMode()) {}
 
   ~SdfSubmap() override {
     if (pending_.valid()) pending_.wait();
@@ -182,7 +183,10 @@ class SdfSubmap : public Submap {
     if (mode_ != Mode::kSurface) raw_->AddKeyframe(keyframe);
     if (mode_ == Mode::kBypass) return;
     ++num_keyframes_;
-    if (mode_ == Mode::kSurface && options_.sdf_submap.handover_scans > 0) AppendRaw(keyframe);
+    if (options_.sdf_submap.bypass && mode_ == Mode::kSurface &&
+        options_.sdf_submap.handover_scans > 0) {
+      AppendRaw(keyframe);
+    }
     const auto policy = options_.num_threads > 1 ? std::launch::async : std::launch::deferred;
     pending_ = std::async(policy, [worker = worker_.get(), keyframe = std::move(keyframe)] {
       return worker->Add(keyframe);
@@ -196,7 +200,7 @@ class SdfSubmap : public Submap {
     raw_->Clear();
     trained_ = TrainedSubmap();
     worker_ = std::make_unique<SurfaceWorker>(options_);
-    if (mode_ == Mode::kSurface) mode_ = Mode::kUndecided;
+    if (mode_ == Mode::kSurface) mode_ = FirstMode();
     num_keyframes_ = 0;
   }
 
@@ -213,6 +217,8 @@ class SdfSubmap : public Submap {
 
  private:
   enum class Mode { kUndecided, kSurface, kBypass };
+
+  Mode FirstMode() const { return options_.sdf_submap.bypass ? Mode::kUndecided : Mode::kSurface; }
 
   // Until the training hands over, the newest keyframe stands in the submap as it was measured:
   // around a corner it may be all that there is to see.
@@ -235,7 +241,9 @@ class SdfSubmap : public Submap {
       Decide(trained, is_useful);
     }
     // A surface of next to nothing is worse than the one before.
-    if (mode_ == Mode::kSurface && is_useful) trained_ = std::move(trained);
+    if (mode_ == Mode::kSurface && (is_useful || !options_.sdf_submap.bypass)) {
+      trained_ = std::move(trained);
+    }
     if (mode_ == Mode::kBypass) worker_.reset();
   }
 
@@ -261,7 +269,7 @@ class SdfSubmap : public Submap {
   std::future<TrainedSubmap> pending_;
   int scans_pending_ = 0;
   int num_keyframes_ = 0;
-  Mode mode_ = Mode::kUndecided;
+  Mode mode_;
   TrainedSubmap trained_;
   std::vector<std::string> notes_;
 };

@@ -16,6 +16,11 @@ std::vector<OptionField> SdfSubmapOptions::Fields() {
                   "-",
                   "Scans after which a keyframe, trained meanwhile, enters the submap."}
           .AtLeast(0),
+      {"bypass",
+       &bypass,
+       "-",
+       "Whether a raw submap may stand in for the surface; off: the surface alone, from the first "
+       "keyframe on."},
       OptionField{"bypass_keyframes",
                   &bypass_keyframes,
                   "-",

@@ -22,6 +22,11 @@ struct SdfSubmapOptions {
   // the next keyframe, if that is sooner): by scan index, never by timing.
   int handover_scans = 2;
 
+  // Whether a raw submap may stand in for the surface: on the first keyframes, and for good where
+  // the map has next to no surface. Off, the submap is the surface of the last keyframe, however
+  // little that is (paper).
+  bool bypass = true;
+
   // Bypass: after so many keyframes, on which the submap is raw, it stays raw when the points seen
   // have fewer neighbours than this (median).
   int bypass_keyframes = 5;

@@ -20,7 +20,7 @@ class RawSubmap : public Submap {
 
   void AddKeyframe(Keyframe keyframe) override {
     Entry entry;
-    if (ndt_.representation == NdtOptions::Representation::kPoint) {
+    if (!ndt_.IsVoxel()) {
       entry.gaussians =
           GaussiansOfReturns(keyframe.returns, keyframe.weights, sensor_, ndt_, keyframe.is_planar);
       const Eigen::Matrix3d R = keyframe.T_world_radar.RotationMatrix();
@@ -58,7 +58,7 @@ class RawSubmap : public Submap {
   void Rebuild() {
     search_.reset();
     gaussians_.clear();
-    if (ndt_.representation == NdtOptions::Representation::kPoint) {
+    if (!ndt_.IsVoxel()) {
       for (const Entry& entry : window_) {
         gaussians_.insert(gaussians_.end(), entry.gaussians.begin(), entry.gaussians.end());
       }

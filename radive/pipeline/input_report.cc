@@ -12,6 +12,7 @@
 #include "radive/io/open/detect_format.h"
 #include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/doppler_checked_source.h"
+#include "radive/pipeline/plausibility.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -194,6 +195,7 @@ std::optional<InputReport> InspectInput(const std::string& path,
                    is_given ? DopplerCheck::Sign::kGiven : DopplerCheck::Sign::kUnknown));
   std::vector<std::int64_t> stamps_ns;
   std::size_t num_returns = 0;
+  Plausibility plausibility;
   RadarScan scan;
   while (stamps_ns.size() < kMostScans) {
     const ScanSource::Status status = checked_source.Next(&scan);
@@ -205,14 +207,22 @@ std::optional<InputReport> InspectInput(const std::string& path,
     if (status == ScanSource::Status::kEnd) break;
     stamps_ns.push_back(scan.stamp_ns);
     num_returns += scan.returns.size();
+    plausibility.AddScan(scan);
     report.has_doppler =
         report.has_doppler || scan.has_doppler || checked_source.check().Factor(scan.radar) == 0;
     report.is_planar = stamps_ns.size() == 1 ? scan.is_planar : report.is_planar && scan.is_planar;
   }
+  if (stamps_ns.empty()) {
+    *error = path + ": there are no scans";
+    if (!report.warnings.empty()) *error += "; first warning: " + report.warnings.front();
+    return std::nullopt;
+  }
   report.num_scans_read = static_cast<int>(stamps_ns.size());
   report.returns_per_scan =
-      stamps_ns.empty() ? 0.0
-                        : static_cast<double>(num_returns) / static_cast<double>(stamps_ns.size());
+      static_cast<double>(num_returns) / static_cast<double>(stamps_ns.size());
+  for (std::string& warning : plausibility.Warnings()) {
+    report.warnings.push_back(std::move(warning));
+  }
   report.num_scans = source->NumScans();
   report.facts = source->Facts();
   MeasureStamps(report.facts.stamps_ns.empty() ? stamps_ns : report.facts.stamps_ns, &report);

@@ -12,12 +12,9 @@ OutputFile::~OutputFile() {
   if (file_ != nullptr) std::fclose(file_);
 }
 
-bool OutputFile::Open(const std::filesystem::path& folder,
-                      const std::string& name,
-                      std::string* error) {
-  path_ = folder / name;
-  partial_path_ = folder / PartialName(name);
-  file_ = std::fopen(partial_path_.c_str(), "wb");
+bool OutputFile::Open(const std::filesystem::path& path, std::string* error) {
+  path_ = path;
+  file_ = std::fopen(path_.c_str(), "wb");
   if (file_ == nullptr) SetFailure(errno);
   return Report(error);
 }
@@ -32,13 +29,10 @@ bool OutputFile::Flush(std::string* error) {
   return Report(error);
 }
 
-bool OutputFile::Commit(std::string* error) {
+bool OutputFile::Close(std::string* error) {
   if (file_ != nullptr) {
     if (std::fclose(file_) != 0 && failure_.empty()) SetFailure(errno);
     file_ = nullptr;
-    if (failure_.empty() && std::rename(partial_path_.c_str(), path_.c_str()) != 0) {
-      SetFailure(errno);
-    }
   }
   return Report(error);
 }
@@ -48,10 +42,6 @@ void OutputFile::SetFailure(int error_number) { failure_ = std::strerror(error_n
 bool OutputFile::Report(std::string* error) const {
   if (failure_.empty()) return true;
   *error = path_.string() + ": cannot be written: " + failure_;
-  std::error_code ignored;
-  if (std::filesystem::exists(partial_path_, ignored)) {
-    *error += " (the part that was is in " + partial_path_.filename().string() + ")";
-  }
   return false;
 }
 

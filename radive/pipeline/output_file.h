@@ -9,8 +9,7 @@
 
 namespace radive {
 
-// A file that appears whole or not at all: it is written as ".NAME.partial" and gets its name in
-// Commit(). Without Commit() the partial file stays behind, for what it is worth.
+// A file that is written bit by bit, whose errors are noticed.
 class OutputFile {
  public:
   OutputFile() = default;
@@ -18,20 +17,15 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  bool Open(const std::filesystem::path& folder, const std::string& name, std::string* error);
+  bool Open(const std::filesystem::path& path, std::string* error);
 
-  // Appends. A write error (a full disk) shows in Flush() and Commit() and nowhere else.
+  // Appends. A write error (a full disk) shows in Flush() and Close() and nowhere else.
   void Write(const std::string& bytes);
 
   // False when something could not be written so far; `error` names the file and the reason.
   bool Flush(std::string* error);
 
-  // Closes the file and gives it its name, over an earlier file of that name.
-  bool Commit(std::string* error);
-
-  bool is_open() const { return file_ != nullptr; }
-
-  static std::string PartialName(const std::string& name) { return "." + name + ".partial"; }
+  bool Close(std::string* error);
 
  private:
   void SetFailure(int error_number);
@@ -39,7 +33,6 @@ class OutputFile {
 
   std::FILE* file_ = nullptr;
   std::filesystem::path path_;
-  std::filesystem::path partial_path_;
   std::string failure_;
 };
 

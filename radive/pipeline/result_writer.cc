@@ -7,8 +7,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <system_error>
 #include <unordered_set>
 
+#include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/result_rows.h"
 
 namespace radive {
@@ -26,55 +28,37 @@ constexpr std::array<const char*, 11> kResultFiles = {"trajectory_tum.txt",
                                                       "config.yaml",
                                                       "run.json"};
 
+std::string PartialName(const std::string& name) { return "." + name + ".partial"; }
+
 bool IsResultFile(const std::string& name) {
   return std::any_of(kResultFiles.begin(), kResultFiles.end(), [&name](const char* result) {
-    return name == result || name == OutputFile::PartialName(result);
+    return name == result || name == PartialName(result);
   });
-}
-
-// Creates `folder` unless it is there already; error when it holds files that are not ours.
-bool PrepareFolder(const std::filesystem::path& folder, std::string* error) {
-  std::error_code code;
-  if (std::filesystem::exists(folder, code) && !std::filesystem::is_directory(folder, code)) {
-    *error = folder.string() + ": the output must be a folder, is a file";
-    return false;
-  }
-  std::filesystem::create_directories(folder, code);
-  if (code) {
-    *error = folder.string() + ": cannot create the output folder: " + code.message();
-    return false;
-  }
-  std::string stranger;  // the first by name, so that the message is always the same
-  std::filesystem::directory_iterator entry(folder, code);
-  for (; !code && entry != std::filesystem::directory_iterator(); entry.increment(code)) {
-    const std::string name = entry->path().filename().string();
-    if (!IsResultFile(name) && (stranger.empty() || name < stranger)) stranger = name;
-  }
-  if (code) {
-    *error = folder.string() + ": cannot list the output folder: " + code.message();
-    return false;
-  }
-  if (!stranger.empty()) {
-    *error = folder.string() +
-             ": the output folder must be new, empty or hold earlier results only; it holds " +
-             stranger;
-    return false;
-  }
-  return true;
 }
 
 }  // namespace
 
 bool ResultWriter::Open(const std::filesystem::path& folder, std::string* error) {
   folder_ = folder;
-  if (!PrepareFolder(folder, error) || !tum_.Open(folder, "trajectory_tum.txt", error) ||
-      !kitti_.Open(folder, "trajectory_kitti.txt", error) ||
-      !scans_.Open(folder, "scans.csv", error) || !timing_.Open(folder, "timing.csv", error)) {
-    return false;
+  if (!output_.Open(folder, IsResultFile, error)) return false;
+  for (const auto& [name, file] : Streams()) {
+    names_.push_back(name);
+    if (!file->Open(Partial(name), error)) return false;
   }
   scans_.Write(ScansHeader());
   timing_.Write(TimingHeader());
   return true;
+}
+
+std::array<std::pair<const char*, OutputFile*>, 4> ResultWriter::Streams() {
+  return {{{"trajectory_tum.txt", &tum_},
+           {"trajectory_kitti.txt", &kitti_},
+           {"scans.csv", &scans_},
+           {"timing.csv", &timing_}}};
+}
+
+std::filesystem::path ResultWriter::Partial(const std::string& name) const {
+  return folder_ / PartialName(name);
 }
 
 bool ResultWriter::AddScan(const ScanInfo& info, const OdometryResult& result, std::string* error) {
@@ -87,25 +71,27 @@ bool ResultWriter::AddScan(const ScanInfo& info, const OdometryResult& result, s
 }
 
 bool ResultWriter::WriteText(const std::string& name, const std::string& text, std::string* error) {
-  OutputFile file;
-  if (!file.Open(folder_, name, error)) return false;
-  file.Write(text);
-  return file.Commit(error);
+  names_.push_back(name);
+  return WriteFile(Partial(name), text, error);
 }
 
-void ResultWriter::RemoveEarlier(const std::string& name) {
-  std::error_code ignored;
-  std::filesystem::remove(folder_ / name, ignored);
+bool ResultWriter::EndScans(std::string* error) {
+  return tum_.Close(error) && kitti_.Close(error) && scans_.Close(error) && timing_.Close(error);
 }
 
-bool ResultWriter::Finish(std::string* error) {
-  std::string first_error;
-  for (OutputFile* file : {&tum_, &kitti_, &scans_, &timing_}) {
-    std::string file_error;
-    if (!file->Commit(&file_error) && first_error.empty()) first_error = file_error;
+bool ResultWriter::Publish(std::string* error) {
+  if (!EndScans(error) || !output_.Stage(error)) return false;
+  for (const std::string& name : names_) {
+    // A second name, so that the partial files stay where they are when this is broken off.
+    std::error_code code;
+    std::filesystem::create_hard_link(Partial(name), output_.staged() / name, code);
+    if (code) std::filesystem::copy_file(Partial(name), output_.staged() / name, code);
+    if (code) {
+      *error = (folder_ / name).string() + ": cannot be written: " + code.message();
+      return false;
+    }
   }
-  if (!first_error.empty()) *error = first_error;
-  return first_error.empty();
+  return output_.Publish(error);
 }
 
 void MapThinner::Add(const std::vector<Eigen::Vector3d>& points) {

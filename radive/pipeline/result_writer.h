@@ -4,14 +4,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "radive/odometry/odometry_result.h"
 #include "radive/pipeline/output_file.h"
+#include "radive/util/output_folder.h"
 
 namespace radive {
 
@@ -21,8 +24,9 @@ struct ScanInfo {
   double read_ms = 0.0;  // time spent in the source [ms]
 };
 
-// The results folder of a run. Rows are streamed, so memory does not grow with the drive; files
-// get their names in Finish(), so they appear whole or not at all.
+// The results folder of a run. Rows are streamed into hidden files, .NAME.partial, so memory does
+// not grow with the drive and a killed run leaves its poses; all files get their names at once, in
+// Publish(). Until then earlier results stay as they are.
 //
 //   trajectory_tum.txt    "t x y z qx qy qz qw" of T_world_body, a line for each input scan
 //   trajectory_kitti.txt  rows of [R | t], a line for each input scan
@@ -33,26 +37,32 @@ struct ScanInfo {
 //   scores.json, config.yaml, run.json                    see WriteText()
 class ResultWriter {
  public:
-  // Creates the folder and opens the streamed files. A folder that holds anything but earlier
-  // results is left alone, with an error.
+  // Makes the folder, locks it and opens the streamed files. A folder that another program writes
+  // into, or that holds anything but earlier results, is left alone, with an error.
   bool Open(const std::filesystem::path& folder, std::string* error);
 
   // False when something could not be written (a full disk): `error` names the file.
   bool AddScan(const ScanInfo& info, const OdometryResult& result, std::string* error);
 
+  // After the last scan: the streamed files are complete, still under their partial names.
+  bool EndScans(std::string* error);
+
   // A file in one go, such as run.json.
   bool WriteText(const std::string& name, const std::string& text, std::string* error);
 
-  // Removes an earlier run's file that this run does not write.
-  void RemoveEarlier(const std::string& name);
+  // Where a file is until Publish().
+  std::filesystem::path Partial(const std::string& name) const;
 
-  const std::filesystem::path& folder() const { return folder_; }
-
-  // Gives the streamed files their names. Tries all, and reports the first that failed.
-  bool Finish(std::string* error);
+  // Replaces earlier results by what was written, in one step. False when that cannot be; the
+  // earlier results are whole then.
+  bool Publish(std::string* error);
 
  private:
+  std::array<std::pair<const char*, OutputFile*>, 4> Streams();
+
   std::filesystem::path folder_;
+  OutputFolder output_;
+  std::vector<std::string> names_;  // of all files
   OutputFile tum_;
   OutputFile kitti_;
   OutputFile scans_;

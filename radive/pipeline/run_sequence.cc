@@ -16,6 +16,7 @@
 #include "radive/pipeline/doppler_checked_source.h"
 #include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
+#include "radive/pipeline/plausibility.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
 #include "radive/pipeline/run_scores.h"
@@ -47,15 +48,22 @@ class SequenceRun {
     }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
+    const std::vector<std::string> implausible = plausibility_.Warnings();
+    for (const std::string& warning : implausible) Warn(warning);
     // Of zero scans that were asked for, zero poses are the result.
     if (status == RunStatus::kDone && request_.num_frames.value_or(1) > 0) {
       const std::string reason = report_.WhyNoResult();
       if (!reason.empty()) {
         *error = request_.input + ": " + reason;
+        for (const std::string& warning : implausible) *error += "; " + warning;
         status = RunStatus::kNoResult;
       }
     }
     progress_.Finish();
+    // Nothing to say of a drive of which nothing was seen: earlier results are worth more.
+    if (status == RunStatus::kInterrupted && report_.num_scans() == 0) return status;
+    // The disk is full: earlier results stay, and the scans are in the partial files.
+    if (has_failed_to_write_) return status;
     std::string write_error;
     if (!WriteFiles(status, *error, &write_error) && status != RunStatus::kFailed) {
       *error = write_error;
@@ -128,13 +136,19 @@ class SequenceRun {
         *error = source_->error();
         return RunStatus::kFailed;
       }
+      plausibility_.AddScan(scan);
       OdometryResult result = odometry_.AddScan(scan);
+      plausibility_.AddPose(result);
       if (!frame_) frame_.emplace(config_, scan.radar);
       frame_->Apply(&result);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
+      for (const std::string& warning : odometry_.TakeWarnings()) Warn(warning);
       if (config_.output.map == OutputOptions::Map::kPoints) map_.Add(result.keyframe_points);
       report_.AddScan(result, info.read_ms, scan.place);
-      if (!writer_.AddScan(info, result, error)) return RunStatus::kFailed;
+      if (!writer_.AddScan(info, result, error)) {
+        has_failed_to_write_ = true;
+        return RunStatus::kFailed;
+      }
       progress_.Update(report_.num_scans());
     }
     return RunStatus::kDone;
@@ -161,14 +175,9 @@ class SequenceRun {
     }
   }
 
-  // False when a file could not be written; the others are written all the same, run.json last.
+  // False when a file could not be written, then earlier results stay, or when there are no scores.
   bool WriteFiles(RunStatus status, const std::string& run_error, std::string* error) {
-    bool ok = writer_.Finish(error);
-    std::string file_error;
-    const auto keep_first = [&](bool written) {
-      if (!written && ok) *error = file_error;
-      ok = ok && written;
-    };
+    if (!writer_.EndScans(error)) return false;
     std::vector<RadarSurface> surfaces;
     if (config_.output.NeedsSurface()) {
       surfaces = odometry_.TakeSurfaces();
@@ -177,18 +186,16 @@ class SequenceRun {
     }
     for (const MapFile& file :
          MakeMapFiles(config_.output, config_.odometry.surface, map_.points(), surfaces)) {
-      if (file.bytes) {
-        keep_first(writer_.WriteText(file.name, *file.bytes, &file_error));
-      } else {
-        writer_.RemoveEarlier(file.name);
-      }
+      if (file.bytes && !writer_.WriteText(file.name, *file.bytes, error)) return false;
     }
-    if (reference_ && ok && run_error.empty()) {
-      keep_first(WriteScores(status, &file_error));
-    } else {
-      writer_.RemoveEarlier("scores.json");
+    std::string no_scores;
+    if (reference_ && run_error.empty()) {
+      const std::string json = Scores(status, &no_scores);
+      if (!json.empty() && !writer_.WriteText("scores.json", json, error)) return false;
+      if (!no_scores.empty() && status == RunStatus::kInterrupted)
+        Warn(std::exchange(no_scores, ""));
     }
-    keep_first(writer_.WriteText("config.yaml", EffectiveConfig(config_), &file_error));
+    if (!writer_.WriteText("config.yaml", EffectiveConfig(config_), error)) return false;
     RunReport::Facts facts;
     facts.version = request_.version;
     facts.command_line = request_.command_line;
@@ -198,17 +205,22 @@ class SequenceRun {
     facts.max_frames = request_.num_frames;
     if (frame_) facts.T_frame_reference = frame_->T_output_reference();
     facts.interrupted = status == RunStatus::kInterrupted;
-    facts.error = run_error.empty() && !ok ? *error : run_error;
+    facts.error = run_error.empty() ? no_scores : run_error;
     facts.wall_seconds = wall_time_.Milliseconds() / 1000.0;
-    keep_first(writer_.WriteText("run.json", report_.ToJson(config_, facts), &file_error));
-    return ok;
+    if (!writer_.WriteText("run.json", report_.ToJson(config_, facts), error) ||
+        !writer_.Publish(error)) {
+      return false;
+    }
+    *error = no_scores;
+    return no_scores.empty();
   }
 
-  // Of the trajectory as it was written, so that radive_evaluate gives the same.
-  bool WriteScores(RunStatus status, std::string* error) {
+  // The text of scores.json, of the trajectory as it was written, so that radive_evaluate gives the
+  // same. Empty, with the reason, when there are none.
+  std::string Scores(RunStatus status, std::string* error) {
     auto trajectory =
-        ReadTrajectory(writer_.folder() / "trajectory_tum.txt", TrajectoryFormat::kTum, error);
-    if (!trajectory) return false;
+        ReadTrajectory(writer_.Partial("trajectory_tum.txt"), TrajectoryFormat::kTum, error);
+    if (!trajectory) return "";
     RunEstimate estimate;
     estimate.poses = *std::move(trajectory);
     estimate.start = request_.start;
@@ -218,11 +230,10 @@ class SequenceRun {
     const auto scores = ScoreEstimate(estimate, *reference_, config_.reference, &reason);
     if (!scores) {
       *error = request_.reference + ": no scores: " + reason;
-      return false;
+      return "";
     }
     scores_ = ScoresText(*scores, *reference_);
-    return writer_.WriteText(
-        "scores.json", ScoresJson(*scores, *reference_, request_.reference), error);
+    return ScoresJson(*scores, *reference_, request_.reference);
   }
 
   const RunConfig& config_;
@@ -238,7 +249,9 @@ class SequenceRun {
   MapThinner map_;
   ResultWriter writer_;
   RunReport report_;
+  Plausibility plausibility_;
   Progress progress_;
+  bool has_failed_to_write_ = false;
 };
 
 }  // namespace

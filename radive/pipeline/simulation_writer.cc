@@ -13,22 +13,17 @@
 #include "radive/io/open/open_scan_writer.h"
 #include "radive/simulation/radar_simulator.h"
 #include "radive/util/number_text.h"
+#include "radive/util/output_folder.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool PrepareNewFolder(const fs::path& folder, std::string* error) {
+bool MakeFolder(const fs::path& folder, std::string* error) {
   std::error_code code;
-  if (fs::exists(folder, code) &&
-      (!fs::is_directory(folder, code) || !fs::is_empty(folder, code))) {
-    *error = folder.string() + ": must be a new or empty folder" +
-             (code ? ": " + code.message() : std::string());
-    return false;
-  }
-  fs::create_directories(folder / "labels", code);
-  if (code) *error = (folder / "labels").string() + ": cannot be created: " + code.message();
+  fs::create_directories(folder, code);
+  if (code) *error = folder.string() + ": cannot be created: " + code.message();
   return !code;
 }
 
@@ -36,7 +31,7 @@ bool WriteLabels(const fs::path& folder, int k, const GroundTruth& truth, std::s
   const std::string name = FormatText("%06d.bin", k);
   std::string labels;
   for (const ReturnLabel label : truth.labels) labels.push_back(static_cast<char>(label));
-  return WriteWholeFile(folder / "labels" / name, labels, error);
+  return WriteFile(folder / "labels" / name, labels, error);
 }
 
 std::string TumLine(std::int64_t stamp_ns, const Rigid3& T_first_radar) {
@@ -82,10 +77,17 @@ std::string ScenarioJson(const std::string& scenario,
 bool WriteSimulation(const std::string& scenario,
                      const SimulationOptions& options,
                      const std::string& format,
-                     const fs::path& folder,
+                     const fs::path& output,
                      const std::function<void(int, int)>& progress,
                      std::string* error) {
-  if (!options.IsValid(error) || !PrepareNewFolder(folder, error)) return false;
+  // A drive is not written over another one: that may be a recorded one, or have cost hours.
+  OutputFolder published;
+  if (!options.IsValid(error) || !published.Open(output, nullptr, error) ||
+      !published.Stage(error)) {
+    return false;
+  }
+  const fs::path& folder = published.staged();
+  if (!MakeFolder(folder / "labels", error)) return false;
   const std::unique_ptr<ScanWriter> writer = OpenScanWriter(format, folder, error);
   if (writer == nullptr) return false;
   RadarSimulator simulator(options);
@@ -104,10 +106,11 @@ bool WriteSimulation(const std::string& scenario,
     if (progress) progress(k + 1, options.frames);
   }
   const double path_length = simulator.TravelledAt(last_stamp_ns);
-  return writer->Finish(error) && WriteWholeFile(folder / "gt_tum.txt", poses, error) &&
-         WriteWholeFile(folder / "scenario.json",
-                        ScenarioJson(scenario, format, simulator, k, returns, path_length),
-                        error);
+  return writer->Finish(error) && WriteFile(folder / "gt_tum.txt", poses, error) &&
+         WriteFile(folder / "scenario.json",
+                   ScenarioJson(scenario, format, simulator, k, returns, path_length),
+                   error) &&
+         published.Publish(error);
 }
 
 }  // namespace radive

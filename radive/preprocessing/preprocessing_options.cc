@@ -40,11 +40,17 @@ std::vector<OptionField> PreprocessingOptions::Fields() {
       OptionField{"max_elevation", &max_elevation, "rad", "Upper edge of the field of view."}
           .AtLeast(-kQuarterTurn)
           .AtMost(kQuarterTurn),
-      OptionField{"azimuth_bin",
-                  MakeChoice(&azimuth_bin, {"off", "exact", "quantised"}),
+      OptionField{
+          "azimuth_bin",
+          MakeChoice(&azimuth_bin, {"off", "exact", "quantised"}),
+          "-",
+          "Keep only the nearest return of each direction: azimuth bins with equal elevation "
+          "(as printed in the paper), or with elevation bins."},
+      OptionField{"azimuth_bin_order",
+                  MakeChoice(&azimuth_bin_order, {"after_velocity", "before_velocity"}),
                   "-",
-                  "Keep only the nearest return of each direction: azimuth bins with exactly equal "
-                  "elevation (as printed in the paper), or with elevation bins."},
+                  "Whether the ego velocity is fitted to all returns, or to those that the azimuth "
+                  "bins leave."},
       OptionField{"azimuth_bin_width", &azimuth_bin_width, "rad", "Width of the azimuth bins."}
           .AtLeast(1e-5)
           .AtMost(kHalfTurn),

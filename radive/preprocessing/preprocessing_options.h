@@ -15,8 +15,14 @@ namespace radive {
 struct PreprocessingOptions {
   enum class AzimuthBin {
     kOff,
-    kExact,      // the paper's: one return for each azimuth bin and equal elevation
+    kExact,      // the paper's: one return for each azimuth bin and elevation, equal but for the
+                 // rounding of single-precision coordinates
     kQuantised,  // one return for each azimuth bin and elevation bin
+  };
+
+  enum class AzimuthBinOrder {
+    kAfterVelocity,   // the ego velocity is fitted to all returns
+    kBeforeVelocity,  // ... to those that the bins leave (paper)
   };
 
   // Field of view; the bounds belong to it.
@@ -30,6 +36,7 @@ struct PreprocessingOptions {
   // Of the returns in one direction only the nearest stays: those behind it have penetrated
   // something or bounced.
   AzimuthBin azimuth_bin = AzimuthBin::kOff;
+  AzimuthBinOrder azimuth_bin_order = AzimuthBinOrder::kAfterVelocity;
   double azimuth_bin_width = 0.017453;    // [rad]
   double elevation_bin_width = 0.017453;  // [rad], for kQuantised
 

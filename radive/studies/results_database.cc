@@ -9,6 +9,8 @@
 #include <optional>
 #include <system_error>
 
+#include "radive/io/bytes/whole_file.h"
+
 namespace radive {
 namespace {
 
@@ -131,11 +133,7 @@ bool WriteResultsDatabase(const fs::path& file,
     WriteTimings(records, &writer);
     reason = writer.Finish();
   }
-  if (reason.empty()) {
-    fs::rename(partial, file, code);
-    if (code) reason = code.message();
-  }
-  if (reason.empty()) return true;
+  if (reason.empty()) return RenameDurably(partial, file, error);
   *error = file.string() + ": cannot be written: " + reason;
   fs::remove(partial, code);
   return false;

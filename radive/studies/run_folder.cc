@@ -11,6 +11,8 @@
 #include "radive/config/yaml_settings.h"
 #include "radive/io/bytes/whole_file.h"
 #include "radive/io/trajectories/trajectory_io.h"
+#include "radive/util/durable_files.h"
+#include "radive/util/output_folder.h"
 #include "radive/util/text.h"
 
 namespace radive {
@@ -57,7 +59,6 @@ RunFolder::RunFolder(const fs::path& output, const StudyRun& run)
     : path_(output / "runs" / run.Name()) {
   const std::string seed = path_.filename().string();
   partial_ = path_.parent_path() / ("." + seed + ".partial");
-  replaced_ = path_.parent_path() / ("." + seed + ".replaced");
   lock_ = path_.parent_path() / ("." + seed + ".lock");
 }
 
@@ -76,7 +77,7 @@ bool RunFolder::MakeParent(std::string* error) const {
 
 bool RunFolder::Begin(const StudyRun& run, std::string* error) const {
   std::error_code code;
-  fs::remove_all(replaced_, code);
+  fs::remove_all(OutputFolder::StagedBeside(partial_), code);
   if (!code) fs::remove_all(partial_, code);
   if (!code) fs::create_directory(partial_, code);
   if (code) {
@@ -84,7 +85,7 @@ bool RunFolder::Begin(const StudyRun& run, std::string* error) const {
     return false;
   }
   // radive_odometry is told to read it, and writes the same text over it.
-  return WriteWholeFile(partial_ / "config.yaml", EffectiveConfig(run.config), error);
+  return WriteFile(partial_ / "config.yaml", EffectiveConfig(run.config), error);
 }
 
 bool RunFolder::WriteRunJson(const RunRecord& record,
@@ -103,9 +104,9 @@ bool RunFolder::WriteRunJson(const RunRecord& record,
   batch["start"] = run.start;
   batch["frames"] = run.frames;
   json["batch"] = std::move(batch);
-  return WriteWholeFile(partial_ / "run.json",
-                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
-                        error);
+  return WriteFile(partial_ / "run.json",
+                   json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
+                   error);
 }
 
 bool RunFolder::Commit(const RunRecord& record,
@@ -115,7 +116,6 @@ bool RunFolder::Commit(const RunRecord& record,
                        const std::string& log,
                        KeptFiles kept,
                        std::string* error) const {
-  std::error_code code;
   // What a broken run left of its files has no use, and may be what filled the disk.
   RemoveFiles(partial_, [&](const std::string& name) {
     return record.status == "ok" ? !IsKept(name, kept) : IsPartial(name);
@@ -125,22 +125,13 @@ bool RunFolder::Commit(const RunRecord& record,
       !WriteTumTrajectory(partial_ / "reference.tum", ToTrajectory(reference), error)) {
     return false;
   }
-  if (!WriteWholeFile(partial_ / "log.txt", log, error) ||
-      !WriteRunJson(record, run, reference_path, error)) {
-    return false;
-  }
-  fs::rename(path_, replaced_, code);  // when there is an earlier one
-  fs::rename(partial_, path_, code);
-  if (code) {
-    *error = path_.string() + ": cannot be made: " + code.message();
-    return false;
-  }
-  fs::remove_all(replaced_, code);
-  return true;
+  return WriteFile(partial_ / "log.txt", log, error) &&
+         WriteRunJson(record, run, reference_path, error) && ReplaceFolder(partial_, path_, error);
 }
 
 void RunFolder::Discard() const {
   std::error_code ignored;
+  fs::remove_all(OutputFolder::StagedBeside(partial_), ignored);
   fs::remove_all(partial_, ignored);
 }
 

@@ -20,7 +20,7 @@ enum class KeptFiles {
   kScores         // the last three
 };
 
-// The folder OUTPUT/runs/SEQUENCE/VARIANT/SEED of a run. It appears whole, by a rename, when the
+// The folder OUTPUT/runs/SEQUENCE/VARIANT/SEED of a run. It appears whole, in one step, when the
 // run has ended: until then it is called .SEED.partial, which only the process with LockFile() may
 // touch.
 class RunFolder {
@@ -41,7 +41,7 @@ class RunFolder {
   // goes away.
   bool Begin(const StudyRun& run, std::string* error) const;
 
-  // Writes run.json and log.txt, leaves out what is not kept, and renames. `reference` is written
+  // Writes run.json and log.txt, leaves out what is not kept, and publishes. `reference` is written
   // as reference.tum unless it is empty. On failure the partial folder stays.
   bool Commit(const RunRecord& record,
               const StudyRun& run,
@@ -62,7 +62,6 @@ class RunFolder {
 
   std::filesystem::path path_;
   std::filesystem::path partial_;
-  std::filesystem::path replaced_;  // an earlier folder on its way out
   std::filesystem::path lock_;
 };
 

@@ -82,17 +82,9 @@ std::optional<std::string> StudyInput::KnownHash() const {
 }
 
 bool StudyInput::Simulate(std::string* error) const {
-  const fs::path partial = folder_.string() + ".partial";
-  std::error_code code;
-  fs::remove_all(partial, code);
-  fs::remove_all(folder_, code);
-  if (!WriteSimulation(scenario_, simulation_, "raw", partial, {}, error)) {
-    fs::remove_all(partial, code);  // it may have filled the disk
-    return false;
-  }
-  fs::rename(partial, folder_, code);
-  if (code) *error = folder_.string() + ": cannot be made: " + code.message();
-  return !code;
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  return WriteSimulation(scenario_, simulation_, "raw", folder_, {}, error);
 }
 
 bool StudyInput::Prepare(std::string* error) const {

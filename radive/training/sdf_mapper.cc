@@ -10,9 +10,8 @@
 namespace radive {
 namespace {
 
-// Joint training puts the decoder's dense columns beside every sample: a few owners must do.
-constexpr std::size_t kMaxJointOwners = 300;
-constexpr int kJointIterations = 10;
+// Of the first joint training, which starts from random weights.
+constexpr int kFirstJointIterations = 30;
 
 SdfDecoder FirstDecoder(const NeuralMapOptions& map, const SdfTrainingOptions& training) {
   if (training.joint_keyframes == 0 || map.decoder != nullptr) return map.Decoder();
@@ -53,22 +52,14 @@ TrainingResult SdfMapper::AddKeyframe(const MapKeyframe& keyframe) {
   const SdfLabels labels(Window(), map_, training_options_, is_planar_);
   InitialisePoints(&map_, seen_, labels, index);
   const std::vector<SdfSample> samples = DrawSamples(map_, seen_, labels, index, training_options_);
-  if (index < training_options_.joint_keyframes) TrainJointly(samples);
-  return TrainFeatures(samples, seen_, decoder_, training_options_, &map_);
-}
-
-void SdfMapper::TrainJointly(const std::vector<SdfSample>& samples) {
-  // Every so many of the owners, so that all parts of the scan have a say.
-  const std::size_t step = 1 + seen_.size() / kMaxJointOwners;
-  std::vector<int> owners;
-  for (std::size_t i = 0; i < seen_.size(); i += step) owners.push_back(seen_[i]);
-  std::vector<SdfSample> chosen;
-  for (const SdfSample& sample : samples) {
-    if (std::binary_search(owners.begin(), owners.end(), sample.owner)) chosen.push_back(sample);
+  if (index >= training_options_.joint_keyframes) {
+    return TrainFeatures(samples, seen_, decoder_, training_options_, &map_);
   }
   SdfTrainingOptions options = training_options_;
-  options.solver.max_iterations = kJointIterations;
-  TrainDecoder(chosen, seen_, options, &map_, &decoder_);
+  if (index == 0) {
+    options.solver.max_iterations = std::max(options.solver.max_iterations, kFirstJointIterations);
+  }
+  return TrainDecoder(samples, seen_, options, &map_, &decoder_);
 }
 
 void SdfMapper::Clear() {

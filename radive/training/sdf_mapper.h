@@ -46,7 +46,6 @@ class SdfMapper {
 
  private:
   std::vector<const LabelScan*> Window() const;
-  void TrainJointly(const std::vector<SdfSample>& samples);
 
   const SdfTrainingOptions training_options_;
   NeuralPoints map_;

@@ -15,6 +15,7 @@
 #include "radive/factors/feature_prior_factor.h"
 #include "radive/factors/sdf_fit_cost.h"
 #include "radive/factors/sdf_fit_factor.h"
+#include "radive/factors/sdf_joint_cost.h"
 #include "radive/neural_map/decoder_kernel.h"
 #include "radive/neural_map/sdf_query.h"
 #include "radive/solver/solve.h"
@@ -63,16 +64,23 @@ ceres::Problem::Options ProblemOptions() {
 
 // The problem of one keyframe: adds the samples group by group.
 template <int kFeature, int kHidden>
-class FeatureProblem {
+class TrainingProblem {
  public:
   using Kernel = DecoderKernel<kFeature, kHidden>;
   using Cost = SdfFitCost<kFeature, kHidden>;
+  using JointCost = SdfJointCost<kFeature, kHidden>;
 
-  FeatureProblem(const Kernel& kernel,
-                 const std::vector<int>& free,
-                 const SdfTrainingOptions& options,
-                 NeuralPoints* map)
+  // `kernel`: of the decoder as it is.
+  TrainingProblem(const Kernel& kernel,
+                  const SdfDecoder& decoder,
+                  bool is_decoder_free,
+                  const std::vector<int>& free,
+                  const SdfTrainingOptions& options,
+                  NeuralPoints* map)
       : kernel_(kernel),
+        decoder_(decoder),
+        is_decoder_free_(is_decoder_free),
+        theta_(decoder.parameters()),
         options_(options),
         map_(map),
         is_free_(static_cast<std::size_t>(map->size()), false),
@@ -95,7 +103,7 @@ class FeatureProblem {
   void AddPriors() {
     if (!(options_.feature_prior_sigma > 0.0)) return;
     for (int k = 0; k < map_->size(); ++k) {
-      if (!is_in_problem_[static_cast<std::size_t>(k)]) continue;
+      if (!IsFree(k) || !is_in_problem_[static_cast<std::size_t>(k)]) continue;
       const double* feature = map_->feature(k);
       problem_.AddResidualBlock(
           FeaturePriorFactor::Create(std::vector<double>(feature, feature + kFeature),
@@ -106,10 +114,8 @@ class FeatureProblem {
   }
 
   // One for each sample, on the features that are free already.
-  void AddEikonal(const std::vector<SdfSample>& samples, const SdfDecoder& decoder) {
+  void AddEikonal(const std::vector<SdfSample>& samples) {
     if (!(options_.eikonal_sigma > 0.0)) return;
-    theta_ = decoder.parameters();
-    bool is_added = false;
     for (const SdfSample& sample : samples) {
       if (!AreFeaturesFinite(*map_, sample)) continue;
       std::vector<EikonalNeighbor> neighbors;
@@ -121,7 +127,7 @@ class FeatureProblem {
       }
       for (double* block : blocks) problem_.AddParameterBlock(block, kFeature);
       blocks.push_back(theta_.data());
-      problem_.AddResidualBlock(EikonalFactor::Create(decoder,
+      problem_.AddResidualBlock(EikonalFactor::Create(decoder_,
                                                       map_->options().resolution,
                                                       neighbors,
                                                       map_->options().softening,
@@ -129,21 +135,16 @@ class FeatureProblem {
                                                       options_.eikonal_sigma),
                                 nullptr,
                                 blocks);
-      for (std::size_t i = 0; i < neighbors.size(); ++i) {
-        if (!is_free_[static_cast<std::size_t>(sample.neighbors.index[i])]) {
-          problem_.SetParameterBlockConstant(blocks[i]);
-        }
-      }
-      is_added = true;
+      HoldConstant(sample);
     }
-    if (is_added) problem_.SetParameterBlockConstant(theta_.data());
   }
 
   TrainingResult Solve() {
     TrainingResult result;
     result.num_samples = num_samples_;
-    result.num_free_points =
-        static_cast<int>(std::count(is_in_problem_.begin(), is_in_problem_.end(), true));
+    for (int k = 0; k < map_->size(); ++k) {
+      if (IsFree(k) && is_in_problem_[static_cast<std::size_t>(k)]) ++result.num_free_points;
+    }
     if (num_samples_ == 0) return result;
     const SolveSummary summary = radive::Solve(options_.solver, &problem_);
     result.usable = summary.usable;
@@ -151,18 +152,56 @@ class FeatureProblem {
     return result;
   }
 
+  const std::vector<double>& theta() const { return theta_; }
+
  private:
-  void AddSample(const SdfSample& sample) {
-    const std::vector<SdfNeighbor>& neighbors = NeighborsOf(sample, *map_);
-    int num_new = 0;
-    bool sees_free = false;
+  bool IsFree(int k) const { return is_free_[static_cast<std::size_t>(k)]; }
+  // What a point contributes to a sample changes in the training.
+  bool IsVariable(int k) const { return is_decoder_free_ || IsFree(k); }
+
+  // Of the blocks of a sample that are in the problem, those that training leaves alone.
+  void HoldConstant(const SdfSample& sample) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(sample.neighbors.count); ++i) {
+      const int k = sample.neighbors.index[i];
+      if (!IsFree(k)) problem_.SetParameterBlockConstant(map_->feature(k));
+    }
+    if (!is_decoder_free_) problem_.SetParameterBlockConstant(theta_.data());
+  }
+
+  void AddFactor(const SdfSample& sample, const std::vector<SdfNeighbor>& neighbors) {
+    std::vector<double*> blocks;
     for (std::size_t i = 0; i < neighbors.size(); ++i) {
       const int k = sample.neighbors.index[i];
-      if (!is_free_[static_cast<std::size_t>(k)]) continue;
-      sees_free = true;
+      blocks.push_back(map_->feature(k));
+      is_in_problem_[static_cast<std::size_t>(k)] = true;
+    }
+    blocks.push_back(theta_.data());
+    problem_.AddResidualBlock(SdfFitFactor::Create(decoder_,
+                                                   map_->options().resolution,
+                                                   neighbors,
+                                                   sample.label.distance,
+                                                   1.0 / InverseSigma(sample, options_)),
+                              nullptr,
+                              blocks);
+    HoldConstant(sample);
+    ++num_samples_;
+  }
+
+  void AddSample(const SdfSample& sample) {
+    const std::vector<SdfNeighbor> neighbors = NeighborsOf(sample, *map_);
+    int num_new = 0;
+    bool is_variable = false;
+    for (std::size_t i = 0; i < neighbors.size(); ++i) {
+      const int k = sample.neighbors.index[i];
+      if (!IsVariable(k)) continue;
+      is_variable = true;
       if (BlockOf(k) < 0) ++num_new;
     }
-    if (!sees_free) return;
+    if (!is_variable) return;
+    if (options_.derivatives == SdfTrainingOptions::Derivatives::kAutodiff) {
+      AddFactor(sample, neighbors);
+      return;
+    }
     if (static_cast<int>(group_points_.size()) + num_new > Cost::kMaxBlocks) Flush();
 
     SdfSampleGroup::Sample entry;
@@ -171,7 +210,7 @@ class FeatureProblem {
     entry.inv_sigma = InverseSigma(sample, options_);
     for (std::size_t i = 0; i < neighbors.size(); ++i) {
       const int k = sample.neighbors.index[i];
-      if (!is_free_[static_cast<std::size_t>(k)]) {
+      if (!IsVariable(k)) {
         entry.target -=
             neighbors[i].weight * kernel_.Value(kernel_.Feature(map_->feature(k)), neighbors[i].d);
         continue;
@@ -202,23 +241,56 @@ class FeatureProblem {
         is_in_problem_[static_cast<std::size_t>(k)] = true;
       }
       group_.num_blocks = static_cast<int>(blocks.size());
-      problem_.AddResidualBlock(new Cost(kernel_, std::move(group_)), nullptr, blocks);
+      if (is_decoder_free_) {
+        blocks.push_back(theta_.data());
+        problem_.AddResidualBlock(
+            new JointCost(decoder_.activation(), map_->options().resolution, std::move(group_)),
+            nullptr,
+            blocks);
+        for (const int k : group_points_) {
+          if (!IsFree(k)) problem_.SetParameterBlockConstant(map_->feature(k));
+        }
+      } else {
+        problem_.AddResidualBlock(new Cost(kernel_, std::move(group_)), nullptr, blocks);
+      }
     }
     group_ = SdfSampleGroup();
     group_points_.clear();
   }
 
   const Kernel& kernel_;
+  const SdfDecoder& decoder_;
+  const bool is_decoder_free_;
+  std::vector<double> theta_;
   const SdfTrainingOptions& options_;
   NeuralPoints* const map_;
   std::vector<bool> is_free_;
   std::vector<bool> is_in_problem_;
-  std::vector<double> theta_;
   ceres::Problem problem_;
   SdfSampleGroup group_;
   std::vector<int> group_points_;
   int num_samples_ = 0;
 };
+
+// `theta`: the trained parameters of the decoder; null: it is frozen.
+TrainingResult Train(const std::vector<SdfSample>& samples,
+                     const std::vector<int>& free,
+                     const SdfDecoder& decoder,
+                     const SdfTrainingOptions& options,
+                     NeuralPoints* map,
+                     std::vector<double>* theta) {
+  return WithDecoderKernel(decoder, map->options().resolution, [&](const auto& kernel) {
+    using Kernel = std::decay_t<decltype(kernel)>;
+    TrainingProblem<Kernel::kFeatureDim, Kernel::kHiddenUnits> problem(
+        kernel, decoder, theta != nullptr, free, options, map);
+    problem.Add(samples);
+    problem.AddPriors();
+    problem.AddEikonal(samples);
+    const TrainingResult result = problem.Solve();
+    if (theta != nullptr && result.usable) *theta = problem.theta();
+    return result;
+  });
+}
 
 }  // namespace
 
@@ -227,14 +299,7 @@ TrainingResult TrainFeatures(const std::vector<SdfSample>& samples,
                              const SdfDecoder& decoder,
                              const SdfTrainingOptions& options,
                              NeuralPoints* map) {
-  return WithDecoderKernel(decoder, map->options().resolution, [&](const auto& kernel) {
-    using Kernel = std::decay_t<decltype(kernel)>;
-    FeatureProblem<Kernel::kFeatureDim, Kernel::kHiddenUnits> problem(kernel, free, options, map);
-    problem.Add(samples);
-    problem.AddPriors();
-    problem.AddEikonal(samples, decoder);
-    return problem.Solve();
-  });
+  return Train(samples, free, decoder, options, map, nullptr);
 }
 
 TrainingResult TrainDecoder(const std::vector<SdfSample>& samples,
@@ -242,42 +307,9 @@ TrainingResult TrainDecoder(const std::vector<SdfSample>& samples,
                             const SdfTrainingOptions& options,
                             NeuralPoints* map,
                             SdfDecoder* decoder) {
-  TrainingResult result;
-  std::vector<bool> is_free(static_cast<std::size_t>(map->size()), false);
-  for (const int k : free) is_free[static_cast<std::size_t>(k)] = true;
-  std::vector<bool> is_in_problem(is_free.size(), false);
   std::vector<double> theta = decoder->parameters();
-  ceres::Problem problem(ProblemOptions());
-  for (const SdfSample& sample : samples) {
-    if (!AreFeaturesFinite(*map, sample)) continue;
-    std::vector<double*> blocks;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(sample.neighbors.count); ++i) {
-      blocks.push_back(map->feature(sample.neighbors.index[i]));
-      is_in_problem[static_cast<std::size_t>(sample.neighbors.index[i])] = true;
-    }
-    blocks.push_back(theta.data());
-    problem.AddResidualBlock(SdfFitFactor::Create(*decoder,
-                                                  map->options().resolution,
-                                                  NeighborsOf(sample, *map),
-                                                  sample.label.distance,
-                                                  1.0 / InverseSigma(sample, options)),
-                             nullptr,
-                             blocks);
-    ++result.num_samples;
-  }
-  if (result.num_samples == 0) return result;
-  for (int k = 0; k < map->size(); ++k) {
-    if (!is_in_problem[static_cast<std::size_t>(k)]) continue;
-    if (is_free[static_cast<std::size_t>(k)]) {
-      ++result.num_free_points;
-    } else {
-      problem.SetParameterBlockConstant(map->feature(k));
-    }
-  }
-  const SolveSummary summary = Solve(options.solver, &problem);
-  result.usable = summary.usable;
-  result.num_iterations = summary.num_iterations;
-  if (summary.usable) decoder->parameters() = theta;
+  const TrainingResult result = Train(samples, free, *decoder, options, map, &theta);
+  decoder->parameters() = theta;
   return result;
 }
 

@@ -21,7 +21,8 @@ struct TrainingResult {
 };
 
 // Fits the features of the points `free` (ascending) to the samples, decoder and all other features
-// fixed: SdfFitCost, feature priors and eikonal factors in one problem, solved by solver/solve.h.
+// fixed: SdfFitCost (or SdfFitFactor, see SdfTrainingOptions::derivatives), feature priors and
+// eikonal factors in one problem, solved by solver/solve.h.
 // Samples that see no free point, or a feature that is not finite, are left out.
 TrainingResult TrainFeatures(const std::vector<SdfSample>& samples,
                              const std::vector<int>& free,
@@ -29,8 +30,8 @@ TrainingResult TrainFeatures(const std::vector<SdfSample>& samples,
                              const SdfTrainingOptions& options,
                              NeuralPoints* map);
 
-// Fits the decoder, and the features of `free` together with it: SdfFitFactor with derivatives by
-// autodiff. `free` may be empty: the decoder alone. Slow: for some thousand samples.
+// The same with the decoder as one more parameter block of the problem (SdfJointCost). `free` may
+// be empty: the decoder alone.
 TrainingResult TrainDecoder(const std::vector<SdfSample>& samples,
                             const std::vector<int>& free,
                             const SdfTrainingOptions& options,

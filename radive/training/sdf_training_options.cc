@@ -49,6 +49,10 @@ std::vector<OptionField> SdfTrainingOptions::Fields() {
                   "-",
                   "Keyframes on which the decoder is trained with the features; 0: frozen."}
           .AtLeast(0),
+      {"derivatives",
+       MakeChoice(&derivatives, {"analytic", "autodiff"}),
+       "-",
+       "How the samples form their derivatives; autodiff is the slow reference."},
   };
   for (OptionField& field : solver.Fields()) {
     if (field.name == "linear_solver" || field.name == "max_iterations" ||

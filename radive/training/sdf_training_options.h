@@ -19,6 +19,11 @@ struct SdfTrainingOptions {
     kPlane,     // to the plane of the nearest scan points, positive towards the radar
     kSmooth,    // to the plane of all neural points nearby, faded by distance, likewise signed
   };
+  enum class Derivatives {
+    kAnalytic,  // in closed form, sample by sample of a neural point: SdfFitCost, SdfJointCost
+    kAutodiff,  // SdfFitFactor for each sample: the slow reference
+  };
+
   Label label = Label::kSmooth;
   int label_points = 16;      // scan points a plane is fitted to
   double label_kernel = 0.5;  // standard deviation of the fading [m]
@@ -33,9 +38,11 @@ struct SdfTrainingOptions {
   double feature_prior_sigma = 0.5;  // features stay near where they were [-]; 0: free
   double eikonal_sigma = 0.0;        // of the gradient's length about 1 [-]; 0: no such factors
 
-  // The decoder is trained together with the features on so many keyframes and then frozen; 0: it
-  // is used as it was read.
+  // The decoder is trained together with the features on so many keyframes, from random weights
+  // unless it was read from a file, and then frozen; 0: it is used as it was read.
   int joint_keyframes = 0;
+
+  Derivatives derivatives = Derivatives::kAnalytic;
 
   // Conjugate gradients and a short first step: with Ceres' usual radius of 1e4 the first steps are
   // all rejected.

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -31,6 +32,29 @@ std::optional<FileLock> FileLock::Take(const std::filesystem::path& file,
   }
   if (fd >= 0) close(fd);
   return std::nullopt;
+}
+
+std::optional<FileLock> FileLock::TakeFolder(const std::filesystem::path& folder,
+                                             std::string* error) {
+  error->clear();
+  for (;;) {
+    const int fd = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0) {
+      *error = folder.string() + ": cannot be locked: " + std::strerror(errno);
+      return std::nullopt;
+    }
+    if (flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      close(fd);
+      return std::nullopt;
+    }
+    // Another may have put a new folder in its place between the two calls, see OutputFolder.
+    struct stat locked = {}, named = {};
+    if (fstat(fd, &locked) == 0 && stat(folder.c_str(), &named) == 0 &&
+        locked.st_dev == named.st_dev && locked.st_ino == named.st_ino) {
+      return FileLock(fd);
+    }
+    close(fd);
+  }
 }
 
 FileLock::FileLock(FileLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}

@@ -22,6 +22,11 @@ class FileLock {
                                       Wait wait,
                                       std::string* error);
 
+  // The same on a folder that exists, without a file in it. File systems that lock files only (NFS)
+  // grant it to everyone.
+  static std::optional<FileLock> TakeFolder(const std::filesystem::path& folder,
+                                            std::string* error);
+
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
   ~FileLock();

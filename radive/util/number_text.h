@@ -23,8 +23,24 @@ namespace radive {
 // A number in a message, with six decimals.
 inline std::string NumberText(double value) { return FormatText("%f", value); }
 
-// A decimal number that is all of `text`; "nan" and "inf" count. Beyond the largest double it is
-// infinite, below the smallest 0. Nothing for anything else.
+// What Microsoft's C library printed until 2015: 1.#QNAN, -1.#IND, 1.#SNAN, 1.#INF, perhaps with
+// zeros behind.
+inline std::optional<double> ParseMicrosoftWord(std::string_view text) {
+  const bool is_negative = !text.empty() && text.front() == '-';
+  if (is_negative) text.remove_prefix(1);
+  while (!text.empty() && text.back() == '0') text.remove_suffix(1);
+  if (text == "1.#INF") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return is_negative ? -infinity : infinity;
+  }
+  if (text == "1.#QNAN" || text == "1.#IND" || text == "1.#SNAN") {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return std::nullopt;
+}
+
+// A decimal number that is all of `text`; "nan", "inf" and their kin of Microsoft's count. Beyond
+// the largest double it is infinite, below the smallest 0. Nothing for anything else.
 inline std::optional<double> ParseDouble(std::string_view text) {
   const char* const end = text.data() + text.size();
   const char* begin = text.data();
@@ -32,7 +48,7 @@ inline std::optional<double> ParseDouble(std::string_view text) {
   if (begin == end || (begin != text.data() && *begin == '-')) return std::nullopt;
   double value = 0.0;
   const auto [stop, failure] = std::from_chars(begin, end, value);
-  if (stop != end) return std::nullopt;
+  if (stop != end) return ParseMicrosoftWord(text);
   if (failure == std::errc()) return value;
   if (failure != std::errc::result_out_of_range) return std::nullopt;
   const std::size_t exponent = text.find_first_of("eE");

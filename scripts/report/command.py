@@ -6,11 +6,12 @@ import argparse
 import pathlib
 import sys
 
-from report import content, page, tables
+from report import content, output_folder, page, tables
 from report.run_files import FileError
 from report.study import read_study, split_name
 from report.trajectories import ALIGNMENTS, PLANES
 
+OWN_FILES = ("report.html", "report.md", "tables.tex", "figures")
 DESCRIPTION = """\
 Writes the report of a study or of a run: one self-contained HTML page, the same as Markdown, the
 tables as LaTeX, and the figures as SVG and PDF.
@@ -61,28 +62,20 @@ def latex(found):
     return head + "\n".join(tables.to_latex(table) for table in found.tables)
 
 
-def write(path, text):
-    """Whole or not at all."""
-    partial = path.with_name(f".{path.name}.partial")
-    partial.write_text(text, encoding="utf-8")
-    partial.replace(path)
-
-
 def run(arguments):
     if len(arguments.folder) > 1 and not arguments.output:
         raise FileError("the report of several runs needs --output")
     study = read_study(arguments.folder, arguments.reference, arguments.align, arguments.plane)
     study.title = arguments.title or study.title
     output = arguments.output or split_name(arguments.folder[0])[1] / "report"
-    pictures = output / "figures"
-    pictures.mkdir(parents=True, exist_ok=True)
-    for old in [*pictures.glob("*.svg"), *pictures.glob("*.pdf")]:
-        old.unlink()
-    found = content.build(study, pictures)
-    write(output / "report.md", markdown(found))
-    write(output / "tables.tex", latex(found))
-    write(output / "report.html", page.build(found))
-    print(output / "report.html")
+    with output_folder.replaced(output, OWN_FILES) as folder:
+        pictures = folder / "figures"
+        pictures.mkdir()
+        found = content.build(study, pictures)
+        output_folder.write_file(folder / "report.md", markdown(found))
+        output_folder.write_file(folder / "tables.tex", latex(found))
+        output_folder.write_file(folder / "report.html", page.build(found))
+    print(output / "report.html", flush=True)
 
 
 def main(arguments=None):
@@ -91,4 +84,6 @@ def main(arguments=None):
     except (FileError, OSError) as error:
         print(f"radive_report: {error}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        return 130
     return 0

@@ -15,6 +15,8 @@ matplotlib.use("Agg")  # no display needed
 import matplotlib.colors  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 
+from report.output_folder import write_file  # noqa: E402
+
 # (light, dark) of each role. Each light colour is unlike the others, for it stands for its role.
 INK = ("#1c2127", "#e8eaed")
 MUTED = ("#5b6470", "#a3abb5")
@@ -109,7 +111,7 @@ def finish(figure, name, folder, dpi):
                 facecolor=PANEL[0] if form == "svg" else "none",
             )
         text[form] = buffer.getvalue()
-        (folder / f"{name}.{form}").write_bytes(text[form])
+        write_file(folder / f"{name}.{form}", text[form])
     plt.close(figure)
     return inline_svg(text["svg"].decode("utf-8"), name)
 

@@ -298,6 +298,39 @@ TEST(EgoVelocityEstimator, VerticalIsThatOfTheVehicle) {
   EXPECT_LT((velocity.v_radar - truth).norm(), 0.1);
 }
 
+// A radar that climbs at 2 m/s; a third of the returns moves.
+TEST(EgoVelocityEstimator, SpatialHypothesesFindTheVerticalVelocity) {
+  Random random(3);
+  testing::ReturnsModel model;
+  model.half_elevation = 0.5;
+  model.sigma_doppler = 0.02;
+  const Eigen::Vector3d truth(8.0, 0.5, 2.0);
+  std::vector<RadarReturn> returns = testing::MakeStaticReturns(300, truth, model, &random);
+  for (const RadarReturn& entry :
+       testing::MakeReturns(150, truth, {3.0, 1.0, -1.0}, model, &random)) {
+    returns.push_back(entry);
+  }
+  EgoVelocityOptions options;
+  options.hypotheses = EgoVelocityOptions::Hypotheses::kSpatial;
+  options.vertical_ridge = 0.0;
+  options.temporal_gate = 0.0;
+  EgoVelocityEstimator spatial(options, SensorOptions());
+  const EgoVelocity velocity = spatial.Estimate(returns, false, 0);
+  ASSERT_TRUE(velocity.valid) << velocity.reason;
+  EXPECT_LT((velocity.v_radar - truth).norm(), 0.05);
+  EXPECT_GT(velocity.num_inliers, 290);
+
+  // A planar sensor has no third direction: the same numbers as with planar hypotheses.
+  model.half_elevation = 0.0;
+  const auto flat = testing::MakeStaticReturns(100, {8.0, 0.5, 0.0}, model, &random);
+  options.hypotheses = EgoVelocityOptions::Hypotheses::kPlanar;
+  EgoVelocityEstimator planar(options, SensorOptions());
+  options.hypotheses = EgoVelocityOptions::Hypotheses::kSpatial;
+  EgoVelocityEstimator spatial_of_planar(options, SensorOptions());
+  EXPECT_EQ(spatial_of_planar.Estimate(flat, true, 0).v_radar,
+            planar.Estimate(flat, true, 0).v_radar);
+}
+
 TEST(EgoVelocityOptions, NamesTheFieldThatIsOutOfRange) {
   std::string error;
   EgoVelocityOptions options;

@@ -10,6 +10,7 @@
 #include "radive/factors/feature_prior_factor.h"
 #include "radive/factors/sdf_fit_cost.h"
 #include "radive/factors/sdf_fit_factor.h"
+#include "radive/factors/sdf_joint_cost.h"
 #include "tests/factor_test_utils.h"
 #include "tests/neural_map/made_map.h"
 
@@ -167,6 +168,77 @@ TEST(SdfFitCost, AgreesWithTheFactors) {
   for (const auto activation : {SdfDecoder::Activation::kSoftsign, SdfDecoder::Activation::kRelu}) {
     ExpectCostMatchesFactors<4, 16>(activation);
     ExpectCostMatchesFactors<8, 32>(activation);
+  }
+}
+
+// Three samples of two and three neighbours: residuals and all derivatives to 1e-9.
+template <int kDim, int kHidden>
+void ExpectJointCostMatchesFactors(SdfDecoder::Activation activation) {
+  const SdfDecoder decoder = RandomizedDecoder(kDim, kHidden, activation, kDim + kHidden);
+  ASSERT_EQ(decoder.parameters().size(),
+            static_cast<std::size_t>(SdfJointCost<kDim, kHidden>::kNumParameters));
+  Random random(12);
+  std::vector<std::vector<double>> features(3);
+  for (auto& feature : features) {
+    for (int i = 0; i < kDim; ++i) feature.push_back(random.Normal());
+  }
+  const std::vector<std::vector<std::size_t>> seen = {{0, 1}, {2, 0, 1}, {1, 2}};
+  SdfSampleGroup group;
+  group.num_blocks = 3;
+  std::vector<std::vector<SdfNeighbor>> neighbors(3);
+  for (std::size_t s = 0; s < 3; ++s) {
+    group.samples.push_back({static_cast<int>(group.terms.size()), 0.2, 4.0});
+    for (const std::size_t b : seen[s]) {
+      neighbors[s].push_back({0.5 * testing::RandomNormal3(&random), random.Uniform(0.2, 0.6)});
+      group.terms.push_back(
+          {static_cast<int>(b), neighbors[s].back().weight, neighbors[s].back().d});
+    }
+  }
+  const SdfJointCost<kDim, kHidden> cost(activation, 0.5, group);
+  const std::size_t num_parameters = decoder.parameters().size();
+  std::vector<const double*> blocks;
+  for (const auto& feature : features) blocks.push_back(feature.data());
+  blocks.push_back(decoder.parameters().data());
+  std::vector<std::vector<double>> jacobians(3, std::vector<double>(3 * kDim, 7.0));
+  jacobians.emplace_back(3 * num_parameters, 7.0);
+  std::vector<double*> pointers;
+  for (auto& jacobian : jacobians) pointers.push_back(jacobian.data());
+  double residuals[3], alone[3];
+  ASSERT_TRUE(cost.Evaluate(blocks.data(), residuals, pointers.data()));
+  ASSERT_TRUE(cost.Evaluate(blocks.data(), alone, nullptr));
+
+  for (std::size_t s = 0; s < 3; ++s) {
+    const std::unique_ptr<ceres::CostFunction> factor(
+        SdfFitFactor::Create(decoder, 0.5, neighbors[s], 0.2, 0.25));
+    std::vector<const double*> factor_blocks;
+    std::vector<std::vector<double>> expected;
+    for (const std::size_t b : seen[s]) {
+      factor_blocks.push_back(features[b].data());
+      expected.emplace_back(kDim);
+    }
+    factor_blocks.push_back(decoder.parameters().data());
+    expected.emplace_back(num_parameters);
+    std::vector<double*> expected_pointers;
+    for (auto& jacobian : expected) expected_pointers.push_back(jacobian.data());
+    double residual = 0.0;
+    ASSERT_TRUE(factor->Evaluate(factor_blocks.data(), &residual, expected_pointers.data()));
+    EXPECT_NEAR(residuals[s], residual, 1e-9);
+    EXPECT_NEAR(alone[s], residual, 1e-9);
+    for (std::size_t k = 0; k < seen[s].size(); ++k) {
+      for (std::size_t i = 0; i < kDim; ++i) {
+        EXPECT_NEAR(jacobians[seen[s][k]][s * kDim + i], expected[k][i], 1e-9);
+      }
+    }
+    for (std::size_t i = 0; i < num_parameters; ++i) {
+      EXPECT_NEAR(jacobians[3][s * num_parameters + i], expected.back()[i], 1e-9) << i;
+    }
+  }
+}
+
+TEST(SdfJointCost, AgreesWithTheFactors) {
+  for (const auto activation : {SdfDecoder::Activation::kSoftsign, SdfDecoder::Activation::kRelu}) {
+    ExpectJointCostMatchesFactors<4, 16>(activation);
+    ExpectJointCostMatchesFactors<8, 32>(activation);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/scans/point_converter.h"
@@ -24,9 +25,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::int64_t stamp_ns = 0;
   radive::PointTable table;
   radive::RadarScan scan;
+  std::vector<std::string> remarks;
   std::string error;
   radive::ReadPointCloudStamp(payload, topic, &stamp_ns);
-  if (radive::ReadPointCloud(payload, topic, &table, &error)) {
+  if (radive::ReadPointCloud(payload, topic, &table, &remarks, &error)) {
     radive::PointConverter(radive::InputOptions()).Convert(table, &scan, &error);
   }
   return 0;

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "radive/io/datasets/radarscenes_table.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/io/scans/stamp_names.h"
 
 // Tables beside the points: those of RadarScenes, files of stamps, and names that are stamps. The
 // first byte says which.
@@ -24,17 +26,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     case 1: {
-      std::vector<std::int64_t> stamps_ns;
       const bool is_trajectory = (data[0] / 3) % 2 == 1;
-      if (!radive::ParseStampLines(text, is_trajectory, "fuzz", &stamps_ns, &error) &&
-          error.empty()) {
-        std::abort();
-      }
+      const auto sequence = radive::ParseStampLines(text, is_trajectory, 0.0, "fuzz", &error);
+      if (!sequence && error.empty()) std::abort();
       break;
     }
-    default:
-      radive::StampOfStem(text);
+    default: {
+      std::optional<std::size_t> odd;
+      radive::StampsOfNames({text, "1700000000.5", text + "1"}, &odd);
       break;
+    }
   }
   return 0;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "radive/io/trajectories/find_pose_columns.h"
 #include "radive/io/trajectories/pose_table.h"
 #include "radive/io/trajectories/trajectory_io.h"
 

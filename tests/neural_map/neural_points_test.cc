@@ -210,6 +210,32 @@ TEST(NeuralPoints, NoisyReturnsCountLess) {
   EXPECT_GT(map.point(0).to_radar.y(), 0.99) << "towards the radar";
 }
 
+// Each point says its own feature of the surface, whatever the distance: S at a point is its own,
+// or without itself the mean of its two neighbours at the same distance.
+TEST(SurfaceExtractor, LeavesThePointItselfOut) {
+  NeuralMapOptions options;
+  options.softening = 0.001;
+  options.position = NeuralMapOptions::Position::kFirst;
+  NeuralPoints map(options);
+  map.AddKeyframe(ReturnsAt({{0.25, 0.2, 0.2}, {0.75, 0.2, 0.2}, {1.25, 0.2, 0.2}}), 0);
+  SdfDecoder decoder(4, 16, SdfDecoder::Activation::kRelu);
+  decoder.parameters()[0] = 1.0;       // of the first entry of the feature
+  decoder.parameters()[16 * 8] = 1.0;  // S = 0.5 m times that entry
+  map.feature(0)[0] = 1.0;
+  map.feature(1)[0] = 10.0;
+  map.feature(2)[0] = 3.0;
+  // The point itself weighs 1e6, its neighbours 4 each.
+  const double all = (1e6 * 5.0 + 4.0 * 0.5 + 4.0 * 1.5) / (1e6 + 8.0);
+  EXPECT_NEAR(EvaluatePoints(map, decoder)[1].sdf, all, 1e-9);
+  EXPECT_NEAR(EvaluatePoints(map, decoder, true)[1].sdf, 1.0, 1e-9);
+  SurfaceOptions surface;
+  surface.trial_keyframes = 0;
+  surface.min_support = 0.0;
+  surface.threshold = 1.1;
+  surface.leave_out_self = true;
+  EXPECT_EQ(ExtractSurface(map, decoder, surface).size(), 1u) << "the one between the others";
+}
+
 // A decoder that is the height over a point; points of one wall at z = 0.2 m and a lone ghost.
 TEST(SurfaceExtractor, ThresholdAndSupport) {
   NeuralMapOptions options;

@@ -57,7 +57,27 @@ double Error(const OdometryResult& result, const Eigen::Vector3d& position) {
 OdometryOptions Options() {
   OdometryOptions options;
   options.registration.planar = true;
+  options.ndt.representation = NdtOptions::Representation::kPoint;
   return options;
+}
+
+// Each return `count` times, a few centimetres apart, as an imaging radar sees it.
+RadarScan Dense(const RadarScan& scan, int count) {
+  RadarScan dense = scan;
+  dense.returns.clear();
+  for (const RadarReturn& entry : scan.returns) {
+    for (int i = 0; i < count; ++i) {
+      dense.returns.push_back(entry);
+      dense.returns.back().position *= 1.0 + 0.001 * i;  // along the ray: the same Doppler
+    }
+  }
+  return dense;
+}
+
+bool SamePoses(const OdometryResult& a, const OdometryResult& b) {
+  return a.T_world_radar.translation == b.T_world_radar.translation &&
+         a.T_world_radar.rotation.coeffs() == b.T_world_radar.rotation.coeffs() &&
+         a.num_gaussians == b.num_gaussians;
 }
 
 TEST(Odometry, FollowsAnExactDrive) {
@@ -297,6 +317,36 @@ TEST(Odometry, GoesOnWhereItsSubmapEnds) {
       EXPECT_EQ(result.is_keyframe, k == kRestart) << k;
     }
     EXPECT_LT(Error(result, drive.PositionAt(k)), 0.05) << k;
+  }
+}
+
+// What the options leave open is chosen by the first scan and said once; the drive is then the same
+// as with that choice made by hand.
+TEST(Odometry, ChoosesTheGaussiansThatSuitTheScans) {
+  const StreetDrive drive;
+  for (const bool is_dense : {false, true}) {
+    OdometryOptions options = Options();
+    options.ndt.representation =
+        is_dense ? NdtOptions::Representation::kVoxel : NdtOptions::Representation::kPoint;
+    Odometry set(options);
+    options.ndt.representation = NdtOptions::Representation::kAuto;
+    Odometry automatic(options);
+    for (int k = 0; k < 10; ++k) {
+      RadarScan scan = drive.ScanAt(k);
+      if (!is_dense) scan.returns.resize(300);
+      if (is_dense) scan = Dense(scan, 8);
+      if (k == 0) scan.returns.resize(5);  // too few to start, and so to choose
+      const OdometryResult result = automatic.AddScan(scan);
+      EXPECT_TRUE(SamePoses(result, set.AddScan(scan))) << is_dense << " " << k;
+      EXPECT_EQ(result.status == Status::kRegistered, k > 0);
+    }
+    EXPECT_TRUE(set.TakeNotes().empty());
+    const std::vector<std::string> notes = automatic.TakeNotes();
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_EQ(notes[0].find(is_dense ? "ndt.representation voxel, for the first scan has"
+                                     : "ndt.representation point, for the first scan has 300"),
+              0u)
+        << notes[0];
   }
 }
 

@@ -120,6 +120,29 @@ TEST(SdfSubmap, SparseSensorsStayRaw) {
   EXPECT_FALSE(submap->TakeSurfaceRecord().has_value());
 }
 
+// From the first keyframe on, and even where the surface is nothing at all.
+TEST(SdfSubmap, WithoutBypassTheSubmapIsTheSurfaceAlone) {
+  OdometryOptions options = SdfOptions();
+  options.sdf_submap.bypass = false;
+  options.sdf_submap.handover_scans = 0;
+  const auto submap = MakeSubmap(options);
+  EXPECT_EQ(submap->search(), nullptr);
+  submap->AddKeyframe(WallKeyframe(0.0, 0.25));
+  ASSERT_NE(submap->search(), nullptr);
+  const std::size_t num_surface = SizeOf(*submap);
+  EXPECT_LT(num_surface, WallKeyframe(0.0, 0.25).returns.size()) << "neural points, not returns";
+  EXPECT_GT(num_surface, 0u);
+  submap->Clear();
+  EXPECT_EQ(submap->search(), nullptr);
+
+  options.surface.min_support = 1e9;
+  const auto empty = MakeSubmap(options);
+  for (int k = 0; k < 7; ++k) empty->AddKeyframe(WallKeyframe(0.0, 2.0));
+  ASSERT_NE(empty->search(), nullptr);
+  EXPECT_EQ(SizeOf(*empty), 0u);
+  EXPECT_TRUE(empty->TakeNotes().empty());
+}
+
 TEST(SdfSubmap, ReturnsOfSurfaceCells) {
   OdometryOptions options = SdfOptions();
   options.sdf_submap.source = SdfSubmapOptions::Source::kReturns;

@@ -63,7 +63,7 @@ RadarScan ScanAt(std::int64_t stamp_ns, int radar) {
   return scan;
 }
 
-double Error(const Rigid3& estimate, const Rigid3& truth) {
+double VehicleError(const Rigid3& estimate, const Rigid3& truth) {
   return (estimate.translation - truth.translation).norm() +
          RotationVector(estimate.rotation * truth.rotation.conjugate()).norm();
 }
@@ -79,9 +79,9 @@ TEST(SeveralRadars, FollowTheVehicle) {
       const OdometryResult result = odometry.AddScan(ScanAt(stamp + later, radar));
       const Rigid3 truth = T_first_world * VehicleAt(static_cast<double>(stamp + later) * 1e-9);
       EXPECT_EQ(result.status, Status::kRegistered) << k << " " << radar << " " << result.reason;
-      EXPECT_LT(Error(result.T_world_body, truth), 0.04) << k << " " << radar;
+      EXPECT_LT(VehicleError(result.T_world_body, truth), 0.04) << k << " " << radar;
       const Rigid3 T_vehicle_radar = MountedOptions().sensor.ForRadar(radar).T_vehicle_radar();
-      EXPECT_LT(Error(result.T_world_radar, result.T_world_body * T_vehicle_radar), 1e-9);
+      EXPECT_LT(VehicleError(result.T_world_radar, result.T_world_body * T_vehicle_radar), 1e-9);
       EXPECT_TRUE(result.covariance.allFinite());
     }
   }
@@ -99,7 +99,7 @@ TEST(SeveralRadars, TheBodyMayBeTheFirstRadar) {
     const OdometryResult result = odometry.AddScan(ScanAt(stamp, k % 2 == 0 ? 2 : 5));
     const Rigid3 truth =
         T_first_world * VehicleAt(static_cast<double>(stamp) * 1e-9) * T_vehicle_first;
-    EXPECT_LT(Error(result.T_world_body, truth), 0.04) << k;
+    EXPECT_LT(VehicleError(result.T_world_body, truth), 0.04) << k;
   }
 }
 
@@ -125,7 +125,7 @@ TEST(SeveralRadars, OneIsEnough) {
     if (k > 30 && radar == 5) scan.returns.clear();
     const OdometryResult result = odometry.AddScan(scan);
     const Rigid3 truth = T_first_world * VehicleAt(static_cast<double>(stamp) * 1e-9);
-    EXPECT_LT(Error(result.T_world_body, truth), 0.05) << k << " " << radar;
+    EXPECT_LT(VehicleError(result.T_world_body, truth), 0.05) << k << " " << radar;
   }
 }
 

@@ -95,7 +95,7 @@ TEST(ResultWriter, FilesGetTheirNamesAtTheEndOnly) {
   ASSERT_TRUE(writer.AddScan({}, QuarterTurn(), &error)) << error;
   EXPECT_FALSE(std::filesystem::exists(folder / "trajectory_tum.txt"));
   EXPECT_EQ(ReadFile(folder / ".trajectory_tum.txt.partial"), TumRow(QuarterTurn()));
-  ASSERT_TRUE(writer.Finish(&error)) << error;
+  ASSERT_TRUE(writer.Publish(&error)) << error;
   EXPECT_EQ(ReadFile(folder / "trajectory_tum.txt"), TumRow(QuarterTurn()));
   EXPECT_EQ(ReadFile(folder / "trajectory_kitti.txt"), KittiRow(QuarterTurn()));
   EXPECT_EQ(ReadFile(folder / "scans.csv"), ScansHeader() + ScansRow(QuarterTurn(), 0));
@@ -123,10 +123,22 @@ TEST(ResultWriter, ReplacesEarlierResults) {
     ASSERT_TRUE(writer.Open(scratch.path(), &error)) << error;
     if (run == 1) {
       ASSERT_TRUE(writer.AddScan({}, QuarterTurn(), &error)) << error;
+    } else {
+      ASSERT_TRUE(writer.WriteText("map.ply", "points", &error)) << error;
     }
-    ASSERT_TRUE(writer.Finish(&error)) << error;
+    ASSERT_TRUE(writer.Publish(&error)) << error;
+    EXPECT_EQ(std::filesystem::exists(scratch.path() / "map.ply"), run == 0);
   }
   EXPECT_EQ(ReadFile(scratch.path() / "trajectory_tum.txt"), TumRow(QuarterTurn()));
+}
+
+TEST(ResultWriter, RefusesAFolderThatAnotherWriterHas) {
+  const ScratchFolder scratch;
+  std::string error;
+  ResultWriter first, second;
+  ASSERT_TRUE(first.Open(scratch.path(), &error)) << error;
+  EXPECT_FALSE(second.Open(scratch.path(), &error));
+  EXPECT_EQ(error, scratch.path().string() + ": another program is writing into this folder");
 }
 
 TEST(ResultWriter, NamesAFolderThatCannotBeMade) {
@@ -138,19 +150,21 @@ TEST(ResultWriter, NamesAFolderThatCannotBeMade) {
 }
 
 // A full disk, played by a device that refuses every byte.
-TEST(ResultWriter, NamesTheFileThatDoesNotFitAndKeepsTheOthers) {
+TEST(ResultWriter, NamesTheFileThatDoesNotFitAndKeepsEarlierResults) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this machine";
   const ScratchFolder scratch;
   std::filesystem::create_symlink("/dev/full", scratch.path() / ".scans.csv.partial");
+  std::ofstream(scratch.path() / "trajectory_tum.txt") << "earlier";
   std::string error;
   ResultWriter writer;
   ASSERT_TRUE(writer.Open(scratch.path(), &error)) << error;
   EXPECT_FALSE(writer.AddScan({}, QuarterTurn(), &error));
-  EXPECT_THAT(error, HasSubstr("scans.csv: cannot be written: No space left on device"));
-  EXPECT_FALSE(writer.Finish(&error));
-  EXPECT_THAT(error, HasSubstr("scans.csv: cannot be written: No space left on device"));
+  EXPECT_THAT(error, HasSubstr("scans.csv.partial: cannot be written: No space left on device"));
+  EXPECT_FALSE(writer.Publish(&error));
+  EXPECT_THAT(error, HasSubstr("scans.csv.partial: cannot be written: No space left on device"));
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "scans.csv"));
-  EXPECT_EQ(ReadFile(scratch.path() / "trajectory_tum.txt"), TumRow(QuarterTurn()));
+  EXPECT_EQ(ReadFile(scratch.path() / "trajectory_tum.txt"), "earlier");
+  EXPECT_EQ(ReadFile(scratch.path() / ".trajectory_tum.txt.partial"), TumRow(QuarterTurn()));
 }
 
 }  // namespace

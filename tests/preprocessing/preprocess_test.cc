@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -92,6 +93,25 @@ TEST(FilterAzimuthBins, ExactTakesMinusZeroForZero) {
   std::vector<RadarReturn> returns = {At(10, 5.2, 0.0, 1), At(20, 5.2, 0.0, 2)};
   returns[1].position.z() = -0.0;
   EXPECT_THAT(Numbers(FilterAzimuthBins(returns, options)), ElementsAre(1));
+}
+
+// Two returns on each of a thousand rays, stored as scans are: the farther ones go.
+TEST(FilterAzimuthBins, ExactJoinsReturnsOfOneRayInSinglePrecision) {
+  PreprocessingOptions options;
+  options.azimuth_bin = PreprocessingOptions::AzimuthBin::kExact;
+  options.azimuth_bin_width = kDegree;
+  Random random(5);
+  std::vector<RadarReturn> returns;
+  for (int i = 0; i < 1000; ++i) {
+    const double azimuth = 0.2 * (i % 500) - 49.95;  // no bin's edge
+    const double elevation = random.Uniform(-20.0, 20.0);
+    returns.push_back(At(random.Uniform(5.0, 30.0), azimuth, elevation, 1));
+    returns.push_back(At(random.Uniform(40.0, 90.0), azimuth, elevation, 2));
+  }
+  for (RadarReturn& entry : returns) entry.position = entry.position.cast<float>().cast<double>();
+  const std::vector<double> kept = Numbers(FilterAzimuthBins(returns, options));
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), 2.0), 0);
+  EXPECT_GE(kept.size(), 998u) << "other elevations stay";
 }
 
 TEST(FilterAzimuthBins, QuantisedJoinsElevationBins) {

@@ -306,6 +306,43 @@ TEST(SdfTraining, JointTrainingLearnsADecoderFromNothing) {
   EXPECT_EQ(mapper.decoder().parameters(), frozen);
 }
 
+// One step of training by either derivatives, with the decoder frozen and free, with some points
+// held: the same features, and the same decoder.
+TEST(SdfTraining, DerivativesAgree) {
+  const LabelScan scan = ScanOf(Wall(0.25), Eigen::Vector3d::Zero());
+  for (const bool is_decoder_free : {false, true}) {
+    std::vector<std::vector<double>> results;
+    for (const auto derivatives :
+         {SdfTrainingOptions::Derivatives::kAnalytic, SdfTrainingOptions::Derivatives::kAutodiff}) {
+      SdfTrainingOptions options;
+      options.derivatives = derivatives;
+      options.solver.max_iterations = 1;
+      NeuralPoints map((NeuralMapOptions()));
+      const std::vector<int> seen = map.AddKeyframe(ReturnsAt(Wall(0.25)), 0);
+      const SdfLabels labels({&scan}, map, options);
+      InitialisePoints(&map, seen, labels, 0);
+      SdfDecoder decoder = map.options().Decoder();
+      const std::vector<SdfSample> samples = DrawSamples(map, seen, labels, 0, options);
+      const std::vector<int> free(seen.begin() + 5, seen.end());
+      const TrainingResult result = is_decoder_free
+                                        ? TrainDecoder(samples, free, options, &map, &decoder)
+                                        : TrainFeatures(samples, free, decoder, options, &map);
+      EXPECT_TRUE(result.usable);
+      EXPECT_EQ(result.num_free_points, static_cast<int>(free.size()));
+      std::vector<double> numbers = decoder.parameters();
+      EXPECT_EQ(numbers != map.options().Decoder().parameters(), is_decoder_free);
+      for (int k = 0; k < map.size(); ++k) {
+        numbers.insert(numbers.end(), map.feature(k), map.feature(k) + 4);
+      }
+      results.push_back(numbers);
+    }
+    ASSERT_EQ(results[0].size(), results[1].size());
+    for (std::size_t i = 0; i < results[0].size(); ++i) {
+      EXPECT_NEAR(results[0][i], results[1][i], 1e-9);
+    }
+  }
+}
+
 // A wall in every scan, a ghost in one: the wall is kept, the ghost is not, although |S| is small
 // at the ghost as well: once its trial is over.
 TEST(SdfTraining, ALoneGhostIsNotKept) {

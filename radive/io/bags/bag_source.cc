@@ -11,6 +11,7 @@
 #include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -55,13 +56,24 @@ std::optional<int> ChooseScanTopic(const std::vector<MessageTopic>& topics,
     found.push_back(static_cast<int>(i));
     candidates.push_back(topics[i]);
   }
+  // One name may stand for several types.
+  for (std::size_t k = 0; found.size() > 1 && !wanted.empty() && k < found.size();) {
+    if (IsPointCloud(candidates[k])) {
+      ++k;
+      continue;
+    }
+    found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(k));
+  }
   if (found.empty() && wanted.empty()) {
     *error = "has no point clouds, " + expected + "; it has: " + NamesOf(topics);
   } else if (found.empty()) {
     *error = "has no topic " + Quoted(wanted) + "; it has: " + NamesOf(topics);
   } else if (found.size() > 1) {
-    *error = "has several topics with point clouds, say with input.topic which one: " +
-             NamesOf(candidates);
+    *error =
+        (wanted.empty() ? "has several topics with point clouds, say with input.topic which one: "
+                        : "has several topics " + Quoted(wanted) + " with point clouds: ") +
+        NamesOf(candidates);
   } else if (!IsPointCloud(candidates.front())) {
     *error = "cannot read messages of " + NameOf(candidates.front()) + ", " + expected;
   } else if (!IsRosEncoding(candidates.front())) {
@@ -172,17 +184,36 @@ SourceFacts BagSource::Facts() const {
   return facts;
 }
 
+// When none of the first messages can be read.
+ScanSource::Status BagSource::FailUnreadable() {
+  error_ = first_reason_;
+  if (num_unreadable_ > 1) {
+    error_ +=
+        "; nor can the " + std::to_string(num_unreadable_ - 1) + " messages behind it be read";
+  }
+  return Status::kError;
+}
+
 // Sets the returns of a scan. A message that cannot be read is an empty scan, because every scan
 // of the drive gets its line in the trajectory; but when the very first one has no positions, none
 // will.
 ScanSource::Status BagSource::ReadReturns(const Message& message, RadarScan* scan) {
   PointTable table;
+  std::vector<std::string> remarks;
   std::string reason;
-  if (!ReadPointCloud(message.payload, topic(), &table, &reason)) {
+  const bool is_read = ReadPointCloud(message.payload, topic(), &table, &remarks, &reason);
+  for (const std::string& remark : remarks) {
+    counted_.Add("point clouds that contradict themselves in " + place_,
+                 scan->place + ": " + remark);
+  }
+  if (!is_read) {
+    if (num_unreadable_++ == 0) first_reason_ = scan->place + ": " + reason;
+    if (!has_read_ && num_unreadable_ == kMessagesLookedAt) return FailUnreadable();
     counted_.Add("damaged point clouds in " + place_,
                  scan->place + ": " + reason + "; taken as an empty scan");
     return Status::kScan;
   }
+  has_read_ = true;
   if (table.num_points == 0 && table.fields.empty()) return Status::kScan;
   if (converter_.Convert(table, scan, &reason)) {
     has_returns_ = true;
@@ -206,7 +237,9 @@ ScanSource::Status BagSource::ReadMessage(bool needs_returns, Stamped* stamped) 
       error_ = bag_->error();
       return Status::kError;
     }
-    if (status == MessageSource::Status::kEnd) return Status::kEnd;
+    if (status == MessageSource::Status::kEnd) {
+      return has_read_ || num_unreadable_ == 0 ? Status::kEnd : FailUnreadable();
+    }
     if (message.topic == trigger_topic_) {
       std::int64_t stamp_ns = 0;
       const MessageTopic& trigger = bag_->topics()[static_cast<std::size_t>(trigger_topic_)];
@@ -231,14 +264,15 @@ const std::string& BagSource::TriggerName() const {
   return bag_->topics()[static_cast<std::size_t>(trigger_topic_)].name;
 }
 
-// Looks at the first messages: reads until two header stamps differ.
+// Looks at the first messages: reads until two header stamps differ and a message can be read.
 void BagSource::ChooseStamps() {
   if (is_trigger_set_) {
     stamp_origin_ = StampOrigin::kTrigger;
     return;
   }
   stamp_origin_ = StampOrigin::kRecord;
-  while (held_back_.size() < kMessagesLookedAt && stamp_origin_ == StampOrigin::kRecord) {
+  while (held_back_.size() < kMessagesLookedAt &&
+         (stamp_origin_ == StampOrigin::kRecord || num_unreadable_ == held_back_.size())) {
     Stamped stamped;
     status_after_held_back_ = ReadMessage(/*needs_returns=*/true, &stamped);
     if (status_after_held_back_ != Status::kScan) break;
@@ -247,7 +281,12 @@ void BagSource::ChooseStamps() {
       stamp_origin_ = StampOrigin::kHeader;
     }
   }
+  if (status_after_held_back_ == Status::kError && !has_read_) held_back_.clear();
   if (held_back_.empty()) return;
+  if (stamp_origin_ == StampOrigin::kHeader && !HeadersRunAsRecorded()) {
+    stamp_origin_ = StampOrigin::kRecord;
+    return;
+  }
   const std::int64_t stamp_ns = held_back_.front().header_ns;
   if (held_back_.size() == 1 && stamp_ns != 0) stamp_origin_ = StampOrigin::kHeader;
   if (stamp_origin_ != StampOrigin::kRecord) return;
@@ -261,6 +300,38 @@ void BagSource::ChooseStamps() {
                       (has_triggers ? "stamps of the triggers " + TriggerName()
                                     : std::string("times of recording")) +
                       " are taken instead");
+}
+
+// False, with a warning, when the header stamps say a rate that no radar has, and the times of
+// recording one that it has. Reads some messages more where the first two look like that.
+bool BagSource::HeadersRunAsRecorded() {
+  const auto is_plausible = [](double interval) { return interval >= 0.004 && interval <= 2.5; };
+  const auto seconds = [](std::int64_t end_ns, std::int64_t begin_ns) {
+    return 1e-9 * (static_cast<double>(end_ns) - static_cast<double>(begin_ns));
+  };
+  const auto interval = [&](std::int64_t Stamped::*time_ns) {
+    std::vector<double> intervals;
+    for (std::size_t i = 1; i < held_back_.size(); ++i) {
+      intervals.push_back(seconds(held_back_[i].*time_ns, held_back_[i - 1].*time_ns));
+    }
+    std::sort(intervals.begin(), intervals.end());
+    return intervals.empty() ? 0.1 : intervals[intervals.size() / 2];
+  };
+  if (is_plausible(interval(&Stamped::header_ns))) return true;
+  while (held_back_.size() < kMessagesLookedAt && status_after_held_back_ == Status::kScan) {
+    Stamped stamped;
+    status_after_held_back_ = ReadMessage(/*needs_returns=*/true, &stamped);
+    if (status_after_held_back_ == Status::kScan) held_back_.push_back(std::move(stamped));
+  }
+  const double by_header = interval(&Stamped::header_ns);
+  const double by_record = interval(&Stamped::record_ns);
+  const bool is_regular = held_back_.size() == kMessagesLookedAt && by_header > 0.0;
+  if (!is_regular || is_plausible(by_header) || !is_plausible(by_record)) return true;
+  warnings_.push_back(
+      place_ + ": the header stamps of " + topic().name +
+      FormatText(" are %.4g s apart, but were recorded %.4g s apart", by_header, by_record) +
+      "; the times of recording are taken instead");
+  return false;
 }
 
 bool BagSource::SetStamp(const Stamped& stamped, RadarScan* scan) {
@@ -312,18 +383,8 @@ ScanSource::Status BagSource::Advance(bool needs_returns, RadarScan* scan) {
                        "; it is passed over");
       continue;
     }
-    if (!last_ns_ || scan->stamp_ns > *last_ns_) {
-      last_ns_ = scan->stamp_ns;
-      return Status::kScan;
-    }
-    const bool is_same = scan->stamp_ns == *last_ns_;
-    counted_.Add(
-        "scans with a stamp " +
-            std::string(is_same ? "that was there before" : "before the last one's") + " in " +
-            place_,
-        scan->place + ": the stamp " + FormatStamp(scan->stamp_ns) +
-            (is_same ? " is that of the scan before" : " is earlier than that of the scan before") +
-            "; it is passed over");
+    record_ns_ = stamped.record_ns;
+    return Status::kScan;
   }
 }
 
@@ -331,13 +392,8 @@ ScanSource::Status BagSource::Next(RadarScan* scan) {
   return Advance(/*needs_returns=*/true, scan);
 }
 
-ScanSource::Status BagSource::Skip(int count) {
-  RadarScan dropped;
-  for (int i = 0; i < count; ++i) {
-    const Status status = Advance(/*needs_returns=*/false, &dropped);
-    if (status != Status::kScan) return status;
-  }
-  return Status::kScan;
+ScanSource::Status BagSource::PassOver(RadarScan* scan) {
+  return Advance(/*needs_returns=*/false, scan);
 }
 
 }  // namespace radive

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -10,12 +11,12 @@
 #include <optional>
 #include <string>
 
-#include "radive/io/bags/counted_warnings.h"
 #include "radive/io/bags/message_source.h"
 #include "radive/io/bags/open_message_source.h"
 #include "radive/io/scans/input_options.h"
 #include "radive/io/scans/point_converter.h"
 #include "radive/io/scans/scan_source.h"
+#include "radive/util/counted_warnings.h"
 
 namespace radive {
 
@@ -24,9 +25,8 @@ namespace radive {
 // The stamp of a scan is its header's. Where these are 0 or do not change, or input.trigger_topic
 // says so, it is that of the last trigger that was recorded before the scan; a scan without one of
 // its own is as much later than the scan before as it was recorded later. Without triggers it is
-// the time of recording. Either comes with a warning. Of scans with the same stamp the first is
-// kept, and one that is earlier than the scan before it is passed over; both are counted in a
-// warning.
+// the time of recording. Either comes with a warning. Scans come in the order of recording, see
+// OrderedSource.
 class BagSource : public ScanSource {
  public:
   // `options` must be valid; input.topic names the topic, and may be empty when the bag has one
@@ -44,7 +44,8 @@ class BagSource : public ScanSource {
                                            std::string* error);
 
   Status Next(RadarScan* scan) override;
-  Status Skip(int count) override;
+  Status PassOver(RadarScan* scan) override;
+  std::optional<std::int64_t> record_ns() const override { return record_ns_; }
   std::string Description() const override;
   std::optional<int> NumScans() const override;
   SourceFacts Facts() const override;
@@ -69,7 +70,9 @@ class BagSource : public ScanSource {
   Status Advance(bool needs_returns, RadarScan* scan);
   Status ReadMessage(bool needs_returns, Stamped* stamped);
   Status ReadReturns(const Message& message, RadarScan* scan);
+  Status FailUnreadable();
   void ChooseStamps();
+  bool HeadersRunAsRecorded();
   // False for a scan that comes before the first trigger.
   bool SetStamp(const Stamped& stamped, RadarScan* scan);
   const std::string& TriggerName() const;
@@ -84,10 +87,13 @@ class BagSource : public ScanSource {
   CountedWarnings counted_;
   int num_messages_ = 0;      // read so far
   bool has_returns_ = false;  // of some message
+  bool has_read_ = false;     // some message, be it without returns
+  std::size_t num_unreadable_ = 0;
+  std::string first_reason_;  // of a message that cannot be read
   StampOrigin stamp_origin_ = StampOrigin::kUnknown;
   std::deque<Stamped> held_back_;
   Status status_after_held_back_ = Status::kScan;
-  std::optional<std::int64_t> last_ns_;     // stamp of the scan before
+  std::int64_t record_ns_ = 0;              // of the scan given last
   std::optional<std::int64_t> trigger_ns_;  // read, and not taken by a scan yet
   std::int64_t record_to_trigger_ns_ = 0;   // of the last scan that had a trigger
   bool has_had_trigger_ = false;

@@ -4,6 +4,7 @@
 #include "radive/io/bags/bag_trajectory.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -61,6 +62,14 @@ void ToLocalMetres(RecordedTrajectory* poses) {
     Eigen::Vector3d& position = pose.T_world_body.translation;
     position = axes * (EarthCentred(position) - origin);
   }
+}
+
+// Stamps that are all the same are none; a single one is believed unless it is zero.
+bool HeadersHaveNoStamps(const RecordedTrajectory& poses) {
+  if (poses.empty() || (poses.size() == 1 && poses.front().stamp_ns != 0)) return false;
+  return std::all_of(poses.begin(), poses.end(), [&](const RecordedPose& pose) {
+    return pose.stamp_ns == poses.front().stamp_ns;
+  });
 }
 
 bool ReadFix(RosMessageReader* reader, PoseMessage* message) {
@@ -150,6 +159,7 @@ std::optional<BagTrajectory> ReadBagTrajectory(std::unique_ptr<MessageSource> ba
   BagTrajectory trajectory;
   trajectory.has_rotations = PoseTypeOf(topic) != PoseType::kNavSatFix;
   trajectory.description = bag->Description() + ", topic " + topic.name + " (" + topic.type + ")";
+  std::vector<std::int64_t> record_ns;  // of the poses
   MessageSource::Status status;
   Message message;
   for (int number = 1; (status = bag->Next(&message)) == MessageSource::Status::kMessage;
@@ -160,11 +170,20 @@ std::optional<BagTrajectory> ReadBagTrajectory(std::unique_ptr<MessageSource> ba
                " is damaged, or holds no " + (trajectory.has_rotations ? "pose" : "place");
       return std::nullopt;
     }
-    if (pose.has_fix) trajectory.poses.push_back(pose.pose);
+    if (!pose.has_fix) continue;
+    trajectory.poses.push_back(pose.pose);
+    record_ns.push_back(message.record_ns);
   }
   if (status == MessageSource::Status::kError) {
     *error = bag->error();
     return std::nullopt;
+  }
+  if (HeadersHaveNoStamps(trajectory.poses)) {
+    for (std::size_t i = 0; i < record_ns.size(); ++i) {
+      trajectory.poses[i].stamp_ns = record_ns[i];
+      trajectory.poses[i].stamp_s = StampSeconds(record_ns[i]);
+    }
+    trajectory.description += ", by the times of recording, for the headers have no stamps";
   }
   if (!trajectory.has_rotations) ToLocalMetres(&trajectory.poses);
   if (!trajectory.poses.empty()) return trajectory;

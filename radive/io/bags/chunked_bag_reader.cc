@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "radive/io/bags/record_clock.h"
 #include "radive/io/bytes/checksum.h"
 #include "radive/io/bytes/random_access_file.h"
 
@@ -28,10 +29,26 @@ bool MostIsWanted(std::vector<std::pair<std::uint64_t, bool>> places, std::uint6
   return wanted >= size / 2;
 }
 
+// When a message was recorded, and where it lies in its chunk.
+struct StoredTime {
+  std::uint64_t offset;
+  int topic;
+  std::int64_t record_ns;
+};
+
+void AddInFileOrder(std::vector<StoredTime> messages, RecordClock* clock) {
+  std::sort(messages.begin(), messages.end(), [](const StoredTime& a, const StoredTime& b) {
+    return a.offset < b.offset;
+  });
+  for (const StoredTime& message : messages) {
+    clock->Add(static_cast<std::uint64_t>(message.topic), message.record_ns);
+  }
+}
+
 }  // namespace
 
 bool ChunkedBagReader::Entry::operator>(const Entry& other) const {
-  return std::tie(record_ns, chunk, offset) > std::tie(other.record_ns, other.chunk, other.offset);
+  return std::tie(order_ns, chunk, offset) > std::tie(other.order_ns, other.chunk, other.offset);
 }
 
 void ChunkedBagReader::AddConnection(std::uint32_t connection, const MessageTopic& topic) {
@@ -108,9 +125,50 @@ void ChunkedBagReader::Select(const std::vector<int>& topics) {
                               return a.position == b.position;
                             }),
                 chunks_.end());
+  if (WasClockSetBack()) {
+    TakeFileOrder();
+    return;
+  }
   std::stable_sort(chunks_.begin(), chunks_.end(), [](const ChunkPlace& a, const ChunkPlace& b) {
     return a.start_ns < b.start_ns;
   });
+}
+
+bool ChunkedBagReader::WasClockSetBack() {
+  RecordClock starts;
+  for (const ChunkPlace& chunk : chunks_) starts.Add(0, chunk.start_ns);
+  if (!starts.WasSetBack()) return false;
+  RecordClock clock;
+  std::vector<StoredTime> messages;
+  const MessageVisitor visit =
+      [&](std::uint32_t connection, std::int64_t record_ns, std::uint64_t offset) {
+        const auto topic = topic_of_.find(connection);
+        if (topic == topic_of_.end() || !is_wanted_[static_cast<std::size_t>(topic->second)])
+          return;
+        messages.push_back({offset, topic->second, record_ns});
+      };
+  for (std::size_t chunk = 0; chunk < chunks_.size() && error_.empty(); ++chunk) {
+    messages = {};
+    ChunkHeader header;
+    if (!HeaderOf(chunk, &header)) continue;
+    if (!VisitIndex(header, visit)) {
+      messages.clear();
+      const std::unique_ptr<Content> content = Unpack(chunk, header);
+      if (content != nullptr) VisitMessages(content->bytes.get(), visit);
+    }
+    AddInFileOrder(std::move(messages), &clock);
+  }
+  return clock.WasSetBack();
+}
+
+void ChunkedBagReader::TakeFileOrder() {
+  is_in_file_order_ = true;
+  std::sort(chunks_.begin(), chunks_.end(), [](const ChunkPlace& a, const ChunkPlace& b) {
+    return a.position < b.position;
+  });
+  Warn("recorders whose clock was set",
+       "the times of recording go back, as if the clock had been set; messages are taken in the "
+       "order of the file");
 }
 
 bool ChunkedBagReader::HeaderOf(std::size_t chunk, ChunkHeader* header) {
@@ -212,19 +270,24 @@ ChunkedBagReader::Content* ChunkedBagReader::Open(std::size_t chunk) {
 // Puts the wanted messages of a chunk into the queue.
 void ChunkedBagReader::Queue(std::size_t chunk) {
   std::vector<Entry> entries;
+  std::vector<StoredTime> wanted;                      // in the first chunk
   std::vector<std::pair<std::uint64_t, bool>> places;  // of all messages, and whether it is wanted
   const MessageVisitor visit =
       [&](std::uint32_t connection, std::int64_t record_ns, std::uint64_t offset) {
         const auto topic = topic_of_.find(connection);
         const bool is_wanted =
             topic != topic_of_.end() && is_wanted_[static_cast<std::size_t>(topic->second)];
-        if (is_wanted) entries.push_back({record_ns, chunk, offset});
+        if (is_wanted) {
+          entries.push_back({record_ns, is_in_file_order_ ? 0 : record_ns, chunk, offset});
+          if (next_chunk_ == 1) wanted.push_back({offset, topic->second, record_ns});
+        }
         places.emplace_back(offset, is_wanted);
       };
   ChunkHeader header;
   if (!HeaderOf(chunk, &header)) return;
   if (!VisitIndex(header, visit)) {
     entries.clear();
+    wanted.clear();
     places.clear();
     Content* const content = Open(chunk);
     if (content == nullptr) return;
@@ -239,6 +302,19 @@ void ChunkedBagReader::Queue(std::size_t chunk) {
       MostIsWanted(std::move(places), header.size)) {
     if (Content* const content = Open(chunk)) CheckCrc(chunk, header, content->bytes.get());
   }
+  // The starts of chunks do not tell of a step within the first one.
+  if (next_chunk_ == 1 && !is_in_file_order_) {
+    RecordClock clock;
+    AddInFileOrder(std::move(wanted), &clock);
+    const bool is_first_in_file =
+        std::all_of(chunks_.begin(), chunks_.end(), [&](const ChunkPlace& other) {
+          return other.position >= chunks_[chunk].position;
+        });
+    if (is_first_in_file && clock.WasSetBack()) {
+      TakeFileOrder();
+      for (Entry& entry : entries) entry.order_ns = 0;
+    }
+  }
   for (const Entry& entry : entries) {
     queue_.push_back(entry);
     std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
@@ -248,7 +324,8 @@ void ChunkedBagReader::Queue(std::size_t chunk) {
 MessageSource::Status ChunkedBagReader::Next(Message* message) {
   for (;;) {
     while (next_chunk_ < chunks_.size() &&
-           (queue_.empty() || chunks_[next_chunk_].start_ns <= queue_.front().record_ns)) {
+           (queue_.empty() ||
+            (!is_in_file_order_ && chunks_[next_chunk_].start_ns <= queue_.front().record_ns))) {
       Queue(next_chunk_++);
       if (!error_.empty()) return Status::kError;
     }

@@ -25,7 +25,8 @@ namespace radive {
 // chunks, which may be compressed and may overlap in time. Behind a chunk there may be an index of
 // its messages.
 //
-// Plays the messages of all chunks in time order. A chunk is opened when its time has come; those
+// Plays the messages of all chunks in time order, or in that of the file where the clock of the
+// recorder was set back (RecordClock). A chunk is opened when its time has come; those
 // without wanted messages are not read beyond their index, and out of chunks without compression
 // only the wanted messages are read. Few chunks are in memory at a time (kCacheBytes).
 //
@@ -111,6 +112,7 @@ class ChunkedBagReader : public MessageSource {
  private:
   struct Entry {
     std::int64_t record_ns;
+    std::int64_t order_ns;  // 0 in the order of the file
     std::size_t chunk;
     std::uint64_t offset;
     bool operator>(const Entry& other) const;
@@ -130,6 +132,9 @@ class ChunkedBagReader : public MessageSource {
   std::unique_ptr<Content> Unpack(std::size_t chunk, const ChunkHeader& header);
   void MakeRoom();
   void Queue(std::size_t chunk);
+  bool
+  WasClockSetBack();  // of the recorder; false where the starts of the chunks do not suggest it
+  void TakeFileOrder();
   // Warns when the bytes of a chunk, all of them, are not what the checksum says; once for each.
   void CheckCrc(std::size_t chunk, const ChunkHeader& header, RandomAccessFile* bytes);
   bool SpendUnpacking(std::uint64_t size);
@@ -140,6 +145,7 @@ class ChunkedBagReader : public MessageSource {
   std::vector<bool> is_wanted_;                      // by topic
   std::vector<ChunkPlace> chunks_;                   // in time order from Select() on
   std::size_t next_chunk_ = 0;                       // that is not in the queue
+  bool is_in_file_order_ = false;                    // instead of that of the times
   std::vector<Entry> queue_;                         // heap of the messages of the opened chunks
   std::list<std::unique_ptr<Content>> cache_;        // the one used last is in front
   std::unordered_map<std::size_t, std::uint64_t> bytes_given_;  // of payload, by chunk

@@ -57,13 +57,26 @@ std::unique_ptr<McapReader> McapReader::Open(std::unique_ptr<RandomAccessFile> f
   if (!reader->has_summary_) {
     reader->Forget();
     reader->Scan();
-    reader->Warn("files without a summary", reason + ": read from the start to the end instead");
+    // Messages outside of chunks are in no index, which is no fault.
+    if (reason.empty()) {
+      reader->CheckCount();
+    } else {
+      reader->Warn("files without a summary", reason + ": read from the start to the end instead");
+    }
+  }
+  if (!reader->unknown_compression_.empty() && !reader->has_known_chunk_) {
+    *error = reader->file_name() + ": its chunks have the compression " +
+             reader->unknown_compression_ + ", expected none, lz4 or zstd";
+    return nullptr;
   }
   return reader;
 }
 
 std::string McapReader::Description() const {
-  return "MCAP file " + file_name() + (has_summary_ ? "" : " (without summary)");
+  return "MCAP file " + file_name() +
+         (has_summary_    ? ""
+          : is_unchunked_ ? " (without chunks)"
+                          : " (without summary)");
 }
 
 bool McapReader::ReadRecord(RandomAccessFile* content, std::uint64_t position, Record* record) {
@@ -119,6 +132,8 @@ bool McapReader::ReadSummary(std::string* reason) {
     *reason = "the summary should be " + AtByte(position);
     return false;
   }
+  is_unchunked_ = num_chunks_ == 0 && num_chunks_listed_ == 0 && num_messages_.value_or(0) > 0;
+  if (is_unchunked_) return false;
   if (num_chunks_listed_ == 0 ? num_messages_ != 0u
                               : num_messages_ && num_chunks_ != num_chunks_listed_) {
     *reason = "the summary does not list the chunks";
@@ -143,6 +158,26 @@ bool McapReader::ReadSummaryRecord(std::uint8_t opcode, std::string_view data) {
   return !reader.failed();
 }
 
+std::optional<Compression> McapReader::TakeCompression(std::string_view name) {
+  const std::optional<Compression> compression = CompressionOfName(name);
+  if (compression) {
+    has_known_chunk_ = true;
+  } else {
+    unknown_compression_ = Quoted(name);
+  }
+  return compression;
+}
+
+// After a scan: whether all messages of the summary are there.
+void McapReader::CheckCount() {
+  std::uint64_t found = 0;
+  for (const MessageTopic& topic : topics_) found += topic.num_messages.value_or(0);
+  if (!num_messages_ || found == *num_messages_) return;
+  Warn("files without all messages",
+       "the summary counts " + std::to_string(*num_messages_) + " messages, the file holds " +
+           std::to_string(found));
+}
+
 bool McapReader::AddChunkOfIndex(std::string_view data) {
   ByteReader reader(data);
   const std::int64_t start_ns = Nanoseconds(reader.U64());
@@ -155,6 +190,8 @@ bool McapReader::AddChunkOfIndex(std::string_view data) {
     channels.U64();
     if (channels.failed() || !IsConnection(channel)) return false;
   }
+  reader.U64();  // size of the message indexes
+  TakeCompression(reader.String());
   if (reader.failed() || position >= file()->size()) return false;
   ++num_chunks_listed_;
   AddChunk({position, start_ns, 0});
@@ -257,7 +294,7 @@ bool McapReader::ReadChunkHeader(std::uint64_t position, ChunkHeader* header, st
   const auto tail = file()->Read(name_position, name_size + std::uint64_t{8}, &buffer);
   if (!tail) return false;
   const std::string_view name = tail->substr(0, name_size);
-  const auto compression = CompressionOfName(name);
+  const auto compression = TakeCompression(name);
   if (!compression) {
     *reason = "a chunk with compression " + Quoted(name);
     return false;

@@ -62,6 +62,9 @@ class McapReader : public ChunkedBagReader {
   bool ReadSchemaOrChannel(RandomAccessFile* content, const Record& record);
   bool AddSchemaOrChannel(std::uint8_t opcode, std::string_view data);
   bool AddChunkOfIndex(std::string_view data);
+  // The compression of a chunk by its name; notes which are known and which are not.
+  std::optional<Compression> TakeCompression(std::string_view name);
+  void CheckCount();
   void Scan();
 
   bool has_summary_ = false;
@@ -69,6 +72,9 @@ class McapReader : public ChunkedBagReader {
   std::optional<std::uint64_t> num_messages_;  // of the file, as its summary says
   std::uint32_t num_chunks_ = 0;               // as the summary says
   std::uint32_t num_chunks_listed_ = 0;
+  bool is_unchunked_ = false;  // as the summary says: all messages are outside of chunks
+  bool has_known_chunk_ = false;
+  std::string unknown_compression_;  // of a chunk
 };
 
 }  // namespace radive

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "radive/io/bags/counted_warnings.h"
+#include "radive/util/counted_warnings.h"
 
 namespace radive {
 

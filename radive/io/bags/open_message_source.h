@@ -8,14 +8,9 @@
 #include <string>
 
 #include "radive/io/bags/message_source.h"
+#include "radive/io/bags/open_bag_file.h"
 
 namespace radive {
-
-enum class BagFormat {
-  kRosbag1,  // a .bag file, or a folder of them: a split bag
-  kRosbag2,  // a folder with metadata.yaml, a .db3 or .mcap file, or a folder of them
-  kMcap      // an .mcap file, or a folder of them: a split recording
-};
 
 // Opens the bag at `path`. Null when that fails; `error` then says what was found where, and what
 // was expected. Only the indexes are read, unless they are missing.

@@ -3,11 +3,13 @@
 
 #include "radive/io/bags/point_cloud_messages.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "radive/io/bags/ros_message_reader.h"
+#include "radive/io/bytes/text_lines.h"
 
 namespace radive {
 namespace {
@@ -69,39 +71,129 @@ void ReadFields(RosMessageReader* reader, PointTable* table) {
   }
 }
 
-// True when `data` hold the records that the numbers promise.
-bool CheckGrid(const Grid& grid, std::size_t data_size, std::string* error) {
-  const auto bytes = [](std::uint64_t count) { return std::to_string(count) + " bytes"; };
-  if (grid.point_step == 0) {
-    *error = "a point_step of 0";
-  } else if (grid.row_step / grid.point_step < grid.width) {
-    *error = "a row_step of " + bytes(grid.row_step) + " for " + std::to_string(grid.width) +
-             " points of " + bytes(grid.point_step);
-  } else if (data_size / grid.row_step < grid.height) {
-    *error = bytes(data_size) + " of data for " + std::to_string(grid.height) + " rows of " +
-             bytes(grid.row_step);
-  } else {
-    return true;
+std::string Bytes(std::uint64_t count) { return std::to_string(count) + " bytes"; }
+
+// The bytes of a record from its start to the end of its last field, where each field has one
+// number.
+std::uint64_t EndOfFields(const PointTable& table) {
+  std::uint64_t end = 0;
+  for (const PointField& field : table.fields) {
+    end = std::max<std::uint64_t>(end, field.offset + SizeOf(field.type));
   }
-  return false;
+  return end;
+}
+
+// Drivers count points or bytes where the numbers of one point are meant. Only the first number of
+// a field is used, so that a count that reaches beyond the record does no harm.
+void RepairCounts(PointTable* table, std::vector<std::string>* remarks) {
+  for (PointField& field : table->fields) {
+    const std::size_t size = SizeOf(field.type);
+    if (field.offset > table->stride || size > table->stride - field.offset) continue;
+    if (field.count <= (table->stride - field.offset) / size) continue;
+    remarks->push_back("field " + Quoted(field.name) + " has a count of " +
+                       std::to_string(field.count) + ", which reaches beyond the record of " +
+                       Bytes(table->stride) + "; 1 is taken");
+    field.count = 1;
+  }
+}
+
+// Whether rows that begin every `step` bytes are in the data.
+bool RowsFit(const Grid& grid, std::uint64_t step, std::uint64_t data_size) {
+  const std::uint64_t row = grid.width * grid.point_step;
+  return step >= row && row <= data_size && (data_size - row) / step >= grid.height - 1;
+}
+
+// The distance of the rows [bytes]. row_step says it, but says nothing new, and many drivers set it
+// wrongly: what fits the size of the data counts. Nothing when the data are too short for the rows.
+std::optional<std::uint64_t> StepOfRows(const Grid& grid, std::uint64_t data_size) {
+  const std::uint64_t row = grid.width * grid.point_step;
+  const auto is_all = [&](std::uint64_t step) {
+    return step >= row && data_size % step == 0 && data_size / step == grid.height;
+  };
+  if (is_all(grid.row_step)) return grid.row_step;
+  if (is_all(row)) return row;
+  if (RowsFit(grid, grid.row_step, data_size)) return grid.row_step;
+  if (is_all(data_size / grid.height)) return data_size / grid.height;
+  return RowsFit(grid, row, data_size) ? std::optional(row) : std::nullopt;
 }
 
 // Sets the records of the table: a view of `data`, unless there are gaps between the rows.
-void SetRecords(const Grid& grid, std::string_view data, PointTable* table) {
-  table->stride = static_cast<std::size_t>(grid.point_step);
+void SetRecords(const Grid& grid,
+                std::uint64_t row_step,
+                std::string_view data,
+                PointTable* table) {
   table->num_points = static_cast<std::size_t>(grid.width * grid.height);
   table->data = data.data();
   const std::uint64_t row_size = grid.width * grid.point_step;
-  if (grid.height <= 1 || row_size == grid.row_step) return;
+  if (grid.height <= 1 || row_size == row_step) return;
   for (std::uint64_t row = 0; row < grid.height; ++row) {
-    const auto points = data.substr(static_cast<std::size_t>(row * grid.row_step),
-                                    static_cast<std::size_t>(row_size));
+    const auto points =
+        data.substr(static_cast<std::size_t>(row * row_step), static_cast<std::size_t>(row_size));
     table->owned.insert(table->owned.end(), points.begin(), points.end());
   }
   table->data = table->owned.data();
 }
 
-bool ReadPointCloud2(RosMessageReader* reader, PointTable* table, std::string* error) {
+// Brings width, height, the two steps and the size of the data together, which contradict each
+// other in the messages of many drivers.
+bool ReadRecords(Grid grid,
+                 std::string_view data,
+                 PointTable* table,
+                 std::vector<std::string>* remarks,
+                 std::string* error) {
+  const std::uint64_t size = data.size();
+  const std::uint64_t num_promised = grid.width * grid.height;
+  const std::uint64_t end_of_fields = EndOfFields(*table);
+  if (grid.point_step < end_of_fields && num_promised > 0 && size % num_promised == 0 &&
+      size / num_promised >= end_of_fields) {
+    remarks->push_back("a point_step of " + Bytes(grid.point_step) +
+                       ", which is too short for the fields; the data hold " +
+                       Bytes(size / num_promised) + " for each point");
+    grid.point_step = size / num_promised;
+  }
+  table->stride = static_cast<std::size_t>(grid.point_step);
+  if (grid.point_step == 0) {
+    if (num_promised == 0) return true;
+    *error = "a point_step of 0";
+    return false;
+  }
+  RepairCounts(table, remarks);
+  if (num_promised > 0) {
+    // Where there is one row its step says nothing at all.
+    const std::optional<std::uint64_t> row_step =
+        grid.height == 1 ? (RowsFit(grid, grid.width * grid.point_step, size)
+                                ? std::optional(grid.width * grid.point_step)
+                                : std::nullopt)
+                         : StepOfRows(grid, size);
+    if (row_step) {
+      if (grid.height > 1 && grid.row_step != 0 && *row_step != grid.row_step) {
+        remarks->push_back("a row_step of " + Bytes(grid.row_step) + " does not fit " +
+                           Bytes(size) + " of data for " + std::to_string(grid.height) +
+                           " rows of " + std::to_string(grid.width) + " points; " +
+                           Bytes(*row_step) + " are taken");
+      }
+      SetRecords(grid, *row_step, data, table);
+      return true;
+    }
+  }
+  const std::uint64_t row = grid.width * grid.point_step;
+  if (num_promised > 0 && grid.height > 1 && grid.row_step > row && size >= row) {
+    grid.height = (size - row) / grid.row_step + 1;  // the rows that are whole
+    SetRecords(grid, grid.row_step, data, table);
+  } else {
+    table->num_points = static_cast<std::size_t>(size / grid.point_step);
+    table->data = data.data();
+  }
+  if (table->num_points == num_promised) return true;
+  remarks->push_back("width and height promise " + std::to_string(num_promised) +
+                     " points, the data hold " + std::to_string(table->num_points));
+  return true;
+}
+
+bool ReadPointCloud2(RosMessageReader* reader,
+                     PointTable* table,
+                     std::vector<std::string>* remarks,
+                     std::string* error) {
   Grid grid;
   grid.height = reader->U32();
   grid.width = reader->U32();
@@ -114,13 +206,7 @@ bool ReadPointCloud2(RosMessageReader* reader, PointTable* table, std::string* e
     *error = "the message is cut off";
     return false;
   }
-  table->stride = static_cast<std::size_t>(grid.point_step);
-  if (grid.width == 0 || grid.height == 0) return true;
-  // One row needs no step, and some drivers set none.
-  if (grid.height == 1 || grid.row_step == 0) grid.row_step = grid.width * grid.point_step;
-  if (!CheckGrid(grid, data.size(), error)) return false;
-  SetRecords(grid, data, table);
-  return true;
+  return ReadRecords(grid, data, table, remarks, error);
 }
 
 // The channels lie one behind the other: they are put side by side.
@@ -187,12 +273,13 @@ bool ReadPointCloudStamp(std::string_view payload,
 bool ReadPointCloud(std::string_view payload,
                     const MessageTopic& topic,
                     PointTable* table,
+                    std::vector<std::string>* remarks,
                     std::string* error) {
   *table = PointTable();
   RosMessageReader reader(payload, EncodingOf(topic));
   reader.ReadHeader();
   const bool is_read = PointCloudTypeOf(topic) == PointCloudType::kPointCloud2
-                           ? ReadPointCloud2(&reader, table, error)
+                           ? ReadPointCloud2(&reader, table, remarks, error)
                            : ReadNamedChannels(&reader, table, error);
   if (is_read && table->num_points <= kMostPoints) return true;
   if (is_read) {

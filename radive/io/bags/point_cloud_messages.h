@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "radive/io/bags/message_source.h"
 #include "radive/io/points/point_table.h"
@@ -36,10 +37,13 @@ bool ReadPointCloudStamp(std::string_view payload,
 // with the reason in `error`, when the message is cut off or contradicts itself.
 //
 // The flag is_dense is not believed: points may be no numbers all the same. A field's count of 0 is
-// taken as 1, and row_step is not looked at where there is one row.
+// taken as 1, and row_step is not looked at where there is one row. What drivers set wrongly
+// although the size of the data tells it (row_step, point_step, width, count) is taken from that,
+// with a line in `remarks`.
 bool ReadPointCloud(std::string_view payload,
                     const MessageTopic& topic,
                     PointTable* table,
+                    std::vector<std::string>* remarks,
                     std::string* error);
 
 }  // namespace radive

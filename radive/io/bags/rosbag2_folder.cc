@@ -8,14 +8,10 @@
 #include <system_error>
 #include <utility>
 
-#include "radive/io/bags/mcap_reader.h"
 #include "radive/io/bags/merged_message_source.h"
-#include "radive/io/bags/sqlite_bag_reader.h"
-#include "radive/io/bags/unpacking_message_source.h"
-#include "radive/io/bytes/random_access_file.h"
+#include "radive/io/bags/open_bag_file.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/text_lines.h"
-#include "radive/io/bytes/unpacked_file.h"
 
 namespace radive {
 namespace {
@@ -78,27 +74,6 @@ fs::path FindFile(const fs::path& folder, const std::string& name) {
   return found;
 }
 
-std::unique_ptr<MessageSource> OpenFile(const fs::path& path,
-                                        const Rosbag2Metadata& metadata,
-                                        const MessageLimits& limits,
-                                        std::string* error) {
-  std::unique_ptr<UnpackedFile> unpacked;
-  if (path.extension() == ".zstd") {
-    unpacked = UnpackedFile::OfZstd(path, error);
-    if (unpacked == nullptr) return nullptr;
-  }
-  const fs::path& plain = unpacked == nullptr ? path : unpacked->path();
-  std::unique_ptr<MessageSource> source;
-  if (metadata.is_mcap) {
-    std::unique_ptr<RandomAccessFile> file = OpenRandomAccessFile(plain, error, path.string());
-    if (file != nullptr) source = McapReader::Open(std::move(file), limits, error);
-  } else {
-    source = SqliteBagReader::Open(plain, path.string(), limits, error);
-  }
-  if (source == nullptr) return nullptr;
-  return std::make_unique<UnpackingMessageSource>(std::move(source), limits);
-}
-
 }  // namespace
 
 bool ParseRosbag2Metadata(const std::string& text, Rosbag2Metadata* metadata, std::string* error) {
@@ -125,7 +100,7 @@ std::unique_ptr<MessageSource> OpenRosbag2Folder(const fs::path& folder,
   }
   std::vector<std::unique_ptr<MessageSource>> parts;
   for (const std::string& name : metadata.files) {
-    parts.push_back(OpenFile(FindFile(folder, name), metadata, limits, error));
+    parts.push_back(OpenBagFile(FindFile(folder, name), limits, error));
     if (parts.back() == nullptr) return nullptr;
   }
   const std::string description = "rosbag 2 folder " + folder.string() + ", " +

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "radive/io/bags/record_clock.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/text_lines.h"
 
@@ -181,15 +182,24 @@ bool SqliteBagReader::ReadTopics() {
 }
 
 bool SqliteBagReader::CountMessages() {
-  const Statement messages = Prepare("SELECT topic_id, timestamp FROM messages");
+  const Statement messages = Prepare("SELECT topic_id, timestamp FROM messages ORDER BY rowid");
   if (messages == nullptr) return false;
   start_ns_ = std::numeric_limits<std::int64_t>::max();
+  RecordClock clock;
   int status = SQLITE_OK;
   while ((status = sqlite3_step(messages.get())) == SQLITE_ROW) {
     start_ns_ = std::min<std::int64_t>(start_ns_, sqlite3_column_int64(messages.get(), 1));
     const auto topic = topic_of_id_.find(sqlite3_column_int64(messages.get(), 0));
     if (topic == topic_of_id_.end()) continue;
     ++*topics_[static_cast<std::size_t>(topic->second)].num_messages;
+    clock.Add(static_cast<std::uint64_t>(topic->second), sqlite3_column_int64(messages.get(), 1));
+  }
+  is_in_file_order_ = clock.WasSetBack();
+  if (is_in_file_order_) {
+    warnings_.Add("recorders whose clock was set",
+                  name_ +
+                      ": the times of recording go back, as if the clock had been set; "
+                      "messages are taken in the order of the file");
   }
   if (status == SQLITE_DONE) return true;
   // What the index of the messages still finds can be read all the same.
@@ -208,7 +218,7 @@ void SqliteBagReader::Select(const std::vector<int>& topics) {
   }
   // The payloads are read one by one: in this query a missing index would sort them all.
   messages_ = Prepare("SELECT rowid, topic_id, timestamp FROM messages WHERE topic_id IN (" + ids +
-                      ") ORDER BY timestamp, rowid");
+                      ") ORDER BY " + (is_in_file_order_ ? "rowid" : "timestamp, rowid"));
 }
 
 // Reads the payload of a row of `messages`. Returns what is wrong with it; empty: nothing.

@@ -76,6 +76,7 @@ class SqliteBagReader : public MessageSource {
   std::unordered_map<std::int64_t, int> topic_of_id_;
   std::string payload_;
   std::int64_t start_ns_ = 0;
+  bool is_in_file_order_ = false;  // the clock of the recorder was set back
 };
 
 }  // namespace radive

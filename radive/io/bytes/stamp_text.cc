@@ -85,6 +85,10 @@ std::optional<std::int64_t> ParseStamp(std::string_view text, int unit_exponent)
 
 bool LooksLikeNanoseconds(std::string_view text) {
   if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
+  // As NumPy prints whole numbers in a table: 1.403636579758555392e+18.
+  if (text.find_first_of("eE") != std::string_view::npos) {
+    return ParseDouble(text).value_or(0.0) >= 1e17;
+  }
   if (text.size() <= 15) return false;
   for (const char c : text) {
     if (!IsDigit(c)) return false;

@@ -31,16 +31,19 @@ inline std::string LowerCase(std::string_view text) {
   return lower;
 }
 
+// `text` without the UTF-8 byte order mark that editors of Windows put in front.
+inline std::string_view WithoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  return text.substr(0, kByteOrderMark.size()) == kByteOrderMark
+             ? text.substr(kByteOrderMark.size())
+             : text;
+}
+
 // The lines of a text one by one, with their numbers. Line ends are LF or CRLF, the last may be
 // missing; a UTF-8 byte order mark in front is dropped. Holds a view: the text must outlive it.
 class TextLines {
  public:
-  explicit TextLines(std::string_view text) : rest_(text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
-      rest_.remove_prefix(kByteOrderMark.size());
-    }
-  }
+  explicit TextLines(std::string_view text) : rest_(WithoutByteOrderMark(text)) {}
 
   // False at the end of the text.
   bool Next(std::string_view* line) {

@@ -7,25 +7,43 @@
 #include <fstream>
 #include <system_error>
 
+#include "radive/util/durable_files.h"
+
 namespace radive {
 
 namespace fs = std::filesystem;
 
-bool WriteWholeFile(const fs::path& path, std::string_view bytes, std::string* error) {
-  const fs::path temporary = path.string() + ".tmp";
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+bool WriteFile(const fs::path& path, std::string_view bytes, std::string* error) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) {
-    *error = temporary.string() + ": cannot be written: " + std::generic_category().message(errno);
+  if (file) return true;
+  *error = path.string() + ": cannot be written: " + std::generic_category().message(errno);
+  std::error_code ignored;
+  if (fs::is_regular_file(path, ignored)) fs::remove(path, ignored);
+  return false;
+}
+
+bool WriteWholeFile(const fs::path& path, std::string_view bytes, std::string* error) {
+  const fs::path temporary = path.string() + ".tmp";
+  return WriteFile(temporary, bytes, error) && RenameDurably(temporary, path, error);
+}
+
+bool RenameDurably(const fs::path& written, const fs::path& path, std::string* error) {
+  bool is_done = SyncPath(written, error);
+  if (is_done) {
+    std::error_code failure;
+    fs::rename(written, path, failure);
+    if (failure) *error = path.string() + ": cannot be written: " + failure.message();
+    is_done = !failure;
+  }
+  if (!is_done) {
     std::error_code ignored;
-    fs::remove(temporary, ignored);
+    fs::remove(written, ignored);
     return false;
   }
-  std::error_code failure;
-  fs::rename(temporary, path, failure);
-  if (failure) *error = path.string() + ": cannot be written: " + failure.message();
-  return !failure;
+  return SyncPath(path.has_parent_path() ? path.parent_path() : ".", error);
 }
 
 }  // namespace radive

@@ -125,7 +125,7 @@ bool RadarScenesHdf5Source::FindScans(std::vector<int>* radars, std::string* err
   return false;
 }
 
-ScanSource::Status RadarScenesHdf5Source::Next(RadarScan* scan) {
+ScanSource::Status RadarScenesHdf5Source::PassOver(RadarScan* scan) {
   if (next_ == scans_.size()) return Status::kEnd;
   const RadarScenesScan& entry = scans_[next_++];
   scan->stamp_ns = entry.stamp_ns;
@@ -134,6 +134,12 @@ ScanSource::Status RadarScenesHdf5Source::Next(RadarScan* scan) {
   scan->is_planar = true;
   scan->returns.clear();
   scan->place = file_.string() + ": rows from " + std::to_string(entry.first_point);
+  return Status::kScan;
+}
+
+ScanSource::Status RadarScenesHdf5Source::Next(RadarScan* scan) {
+  if (PassOver(scan) == Status::kEnd) return Status::kEnd;
+  const RadarScenesScan& entry = scans_[next_ - 1];
   std::vector<double> values;
   if (!table_->Read(entry.first_point, entry.num_points, &values)) {
     warnings_.push_back(scan->place + " can no longer be read; taken as an empty scan");
@@ -152,13 +158,6 @@ ScanSource::Status RadarScenesHdf5Source::Next(RadarScan* scan) {
   if (converter_.Convert(rows_, scan, &reason)) return Status::kScan;
   error_ = scan->place + ": " + reason;
   return Status::kError;
-}
-
-ScanSource::Status RadarScenesHdf5Source::Skip(int count) {
-  const std::size_t left = scans_.size() - next_;
-  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
-  next_ += std::min(left, wanted);
-  return wanted <= left ? Status::kScan : Status::kEnd;
 }
 
 std::string RadarScenesHdf5Source::Description() const {

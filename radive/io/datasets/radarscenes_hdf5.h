@@ -38,7 +38,7 @@ class RadarScenesHdf5Source : public ScanSource {
                                                      std::string* error);
 
   Status Next(RadarScan* scan) override;
-  Status Skip(int count) override;
+  Status PassOver(RadarScan* scan) override;
   std::string Description() const override;
   std::optional<int> NumScans() const override { return static_cast<int>(scans_.size()); }
   SourceFacts Facts() const override;

@@ -143,7 +143,7 @@ bool RadarScenesSource::CheckRows(std::uint64_t num_rows, std::string* error) co
   return true;
 }
 
-ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
+ScanSource::Status RadarScenesSource::PassOver(RadarScan* scan) {
   if (next_ == entries_.size()) return Status::kEnd;
   const RadarScenesScan& entry = entries_[next_++];
   scan->stamp_ns = entry.stamp_ns;
@@ -152,7 +152,12 @@ ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
   scan->is_planar = true;
   scan->returns.clear();
   scan->place = table_path_.string() + ":" + std::to_string(entry.line);
+  return Status::kScan;
+}
 
+ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
+  if (PassOver(scan) == Status::kEnd) return Status::kEnd;
+  const RadarScenesScan& entry = entries_[next_ - 1];
   if (entry.num_points == 0) return Status::kScan;
   if (!points_->Read(entry.first_point, entry.num_points, &rows_.owned)) {
     warnings_.push_back(scan->place + ": the rows of " + points_->path().string() +
@@ -167,13 +172,6 @@ ScanSource::Status RadarScenesSource::Next(RadarScan* scan) {
     return Status::kError;
   }
   return Status::kScan;
-}
-
-ScanSource::Status RadarScenesSource::Skip(int count) {
-  const std::size_t left = entries_.size() - next_;
-  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
-  next_ += std::min(left, wanted);
-  return wanted <= left ? Status::kScan : Status::kEnd;
 }
 
 std::string RadarScenesSource::Description() const {

@@ -39,7 +39,7 @@ class RadarScenesSource : public ScanSource {
   ~RadarScenesSource() override;
 
   Status Next(RadarScan* scan) override;
-  Status Skip(int count) override;
+  Status PassOver(RadarScan* scan) override;
   std::string Description() const override;
   std::optional<int> NumScans() const override;
   SourceFacts Facts() const override;

@@ -206,7 +206,7 @@ RaFlowSource::RaFlowSource(std::vector<fs::path> files,
       description_(std::move(description)),
       converter_(options) {}
 
-ScanSource::Status RaFlowSource::Next(RadarScan* scan) {
+ScanSource::Status RaFlowSource::PassOver(RadarScan* scan) {
   if (next_ == stamps_ns_.size()) return Status::kEnd;
   const bool is_second = next_ == files_.size();
   const fs::path& file = files_[is_second ? next_ - 1 : next_];
@@ -217,20 +217,19 @@ ScanSource::Status RaFlowSource::Next(RadarScan* scan) {
   scan->returns.clear();
   scan->place = file.string();
   ++next_;
+  return Status::kScan;
+}
+
+ScanSource::Status RaFlowSource::Next(RadarScan* scan) {
+  if (PassOver(scan) == Status::kEnd) return Status::kEnd;
+  const bool is_second = next_ > files_.size();
   RaFlowPair pair;
   std::string reason;
-  if (!ReadPair(file, &pair, &reason) ||
+  if (!ReadPair(scan->place, &pair, &reason) ||
       !converter_.Convert(is_second ? pair.second : pair.first, scan, &reason)) {
     warnings_.push_back(reason + "; taken as an empty scan");
   }
   return Status::kScan;
-}
-
-ScanSource::Status RaFlowSource::Skip(int count) {
-  const std::size_t left = stamps_ns_.size() - next_;
-  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
-  next_ += std::min(left, wanted);
-  return wanted <= left ? Status::kScan : Status::kEnd;
 }
 
 std::string RaFlowSource::Description() const { return description_; }

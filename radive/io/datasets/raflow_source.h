@@ -30,7 +30,7 @@ class RaFlowSource : public ScanSource {
                                             std::string* error);
 
   Status Next(RadarScan* scan) override;
-  Status Skip(int count) override;
+  Status PassOver(RadarScan* scan) override;
   std::string Description() const override;
   std::optional<int> NumScans() const override;
   SourceFacts Facts() const override;

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "radive/io/bags/open_message_source.h"
+#include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/text_lines.h"
 #include "radive/io/datasets/radarscenes_hdf5.h"
@@ -76,6 +79,18 @@ std::string FirstBytes(const fs::path& path) {
   return bytes;
 }
 
+Format FormatOf(BagFormat format) {
+  switch (format) {
+    case BagFormat::kRosbag1:
+      return Format::kRosbag1;
+    case BagFormat::kRosbag2:
+      return Format::kRosbag2;
+    case BagFormat::kMcap:
+      break;
+  }
+  return Format::kMcap;
+}
+
 class Detection {
  public:
   Detection(const fs::path& path, InputOptions* options, std::string* reason, std::string* error)
@@ -89,7 +104,13 @@ class Detection {
       return Refuse(
           "expected a folder with radar scans, a bag or a point file, but it does not exist");
     }
-    if (Bags() || RadarScenes() || RaFlow()) return true;
+    return MetadataOfRosbag2() || BagFiles() || Scans();
+  }
+
+ private:
+  // What is no bag.
+  bool Scans() {
+    if (RadarScenes() || RaFlow()) return true;
     if (options_->folder.empty()) {
       bool is_ambiguous = false;
       if (KnownFolder(&is_ambiguous)) return true;
@@ -98,7 +119,6 @@ class Detection {
     return PointFiles();
   }
 
- private:
   bool Refuse(const std::string& what) {
     *error_ = path_.string() + ": " + what;
     return false;
@@ -119,17 +139,18 @@ class Detection {
     if (StartsWith(bytes, "SQLite format 3")) {
       return Take(Format::kRosbag2, "starts with 'SQLite format 3'");
     }
-    for (const char* bag : {".bag", ".mcap", ".db3"}) {
-      if (extension == bag) {
-        return Refuse("the name ends in " + extension + ", but the first bytes are not those of " +
-                      "such a file, found " + Quoted(bytes.substr(0, 16)));
+    if (const auto bag = BagFormatOfName(path_.filename().string())) {
+      if (StartsWith(bytes, "\x28\xB5\x2F\xFD")) {
+        return Take(FormatOf(*bag), "a bag packed with zstd, by its name");
       }
+      return Refuse("the name ends in " + extension + ", but the first bytes are not those of " +
+                    "such a file, found " + Quoted(bytes.substr(0, 16)));
     }
     if (StartsWith(bytes, "\x93NUMPY")) return Take(Format::kNpy, "starts with \\x93NUMPY");
     if (StartsWith(bytes, "\x89HDF\r\n")) {
       return Take(Format::kRadarScenes, "an HDF5 file, as RadarScenes has");
     }
-    if (StartsWith(bytes, "ply\n") || StartsWith(bytes, "ply\r")) {
+    if (StartsWith(LowerCase(bytes), "ply\n") || StartsWith(LowerCase(bytes), "ply\r")) {
       return Take(Format::kPly, "starts with 'ply'");
     }
     for (const auto& known : kExtensions) {
@@ -153,27 +174,56 @@ class Detection {
     return names;
   }
 
-  bool Bags() {
+  bool MetadataOfRosbag2() {
     std::error_code ignored;
-    if (fs::exists(path_ / "metadata.yaml", ignored)) {
-      std::string text;
-      ReadWholeFile(path_ / "metadata.yaml", &text, error_);
-      if (text.find("storage_identifier: mcap") != std::string::npos) {
-        return Take(Format::kMcap, "metadata.yaml says storage_identifier: mcap");
-      }
-      if (text.find("storage_identifier: sqlite3") != std::string::npos) {
-        return Take(Format::kRosbag2, "metadata.yaml says storage_identifier: sqlite3");
-      }
+    if (!fs::exists(path_ / "metadata.yaml", ignored)) return false;
+    std::string text;
+    ReadWholeFile(path_ / "metadata.yaml", &text, error_);
+    if (text.find("storage_identifier: mcap") != std::string::npos) {
+      return Take(Format::kMcap, "metadata.yaml says storage_identifier: mcap");
     }
-    for (const auto& [extension, format] : {std::pair(".bag", Format::kRosbag1),
-                                            std::pair(".mcap", Format::kMcap),
-                                            std::pair(".db3", Format::kRosbag2)}) {
-      const std::size_t count = Files(path_, extension).size();
-      if (count > 0) {
-        return Take(format, "holds " + std::to_string(count) + " files *" + extension);
-      }
+    if (text.find("storage_identifier: sqlite3") != std::string::npos) {
+      return Take(Format::kRosbag2, "metadata.yaml says storage_identifier: sqlite3");
     }
     return false;
+  }
+
+  bool BagFiles() {
+    for (const BagFormat format : {BagFormat::kRosbag1, BagFormat::kMcap, BagFormat::kRosbag2}) {
+      std::vector<fs::path> files;
+      std::string ignored;
+      ListBagFiles(path_, format, &files, &ignored);
+      if (files.empty()) continue;
+      const std::string what = "holds " + std::to_string(files.size()) +
+                               (files.size() == 1 ? " bag, " : " bags, such as ") +
+                               files.front().filename().string();
+      return ScansBesideBag(format, what) || Take(FormatOf(format), what + *reason_);
+    }
+    return false;
+  }
+
+  // A bag may be of another sensor than the scans beside it. True when they are what to read;
+  // otherwise `reason_` says that they are not.
+  bool ScansBesideBag(BagFormat format, const std::string& bag) {
+    InputOptions options = *options_;
+    std::string reason, ignored;
+    reason_->clear();
+    Detection scans(path_, &options, &reason, &ignored);
+    if (!scans.Scans() || options.format == Format::kYaml) return false;
+    const std::unique_ptr<MessageSource> source =
+        OpenMessageSource(path_, format, MessageLimits(), &ignored);
+    const bool has_clouds =
+        source != nullptr &&
+        std::any_of(
+            source->topics().begin(), source->topics().end(), [](const MessageTopic& topic) {
+              return PointCloudTypeOf(topic) != PointCloudType::kNone;
+            });
+    if (has_clouds) {
+      *reason_ = "; not read are the scans beside it (" + reason + "), see input.format";
+      return false;
+    }
+    *options_ = options;
+    return Take(options.format, reason + "; it also " + bag + ", without point clouds");
   }
 
   bool RadarScenes() {

@@ -17,6 +17,7 @@
 #include "radive/io/open/detect_format.h"
 #include "radive/io/scans/axes.h"
 #include "radive/io/scans/merged_source.h"
+#include "radive/io/scans/ordered_source.h"
 #include "radive/io/scans/point_file_source.h"
 #include "radive/io/scans/raw_source.h"
 #include "radive/io/scans/thinned_source.h"
@@ -70,7 +71,8 @@ std::unique_ptr<ScanSource> OpenOne(const std::string& path,
                                     std::string* error) {
   std::unique_ptr<ScanSource> source = OpenStored(path, options, error);
   if (source == nullptr) return nullptr;
-  return std::make_unique<AxesSource>(std::move(source), options.axes);
+  auto ordered = std::make_unique<OrderedSource>(std::move(source));
+  return std::make_unique<AxesSource>(std::move(ordered), options.axes);
 }
 
 // Each radar with axes of its own.

@@ -103,11 +103,11 @@ class PointFileWriter : public ScanWriter {
   bool Add(const RadarScan& scan, std::string* error) override {
     const std::string name = NameOf(form_.naming, number_++, scan.stamp_ns) + form_.extension;
     times_ += std::to_string(scan.stamp_ns) + "\n";
-    return WriteWholeFile(folder_ / form_.folder / name, form_.bytes(scan.returns), error);
+    return WriteFile(folder_ / form_.folder / name, form_.bytes(scan.returns), error);
   }
 
   bool Finish(std::string* error) override {
-    return !form_.has_times || WriteWholeFile(folder_ / "times.txt", times_, error);
+    return !form_.has_times || WriteFile(folder_ / "times.txt", times_, error);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include "radive/io/open/read_reference.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,8 @@
 #include "radive/io/datasets/vod_poses.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/io/trajectories/find_pose_columns.h"
+#include "radive/io/trajectories/pose_names.h"
 #include "radive/io/trajectories/pose_table.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/io/trajectories/trajectory_io.h"
@@ -66,33 +69,82 @@ std::vector<std::string> Files(const fs::path& folder, const char* extension) {
 }
 
 bool IsBag(const fs::path& path) {
-  const fs::path extension = path.extension();
-  return extension == ".bag" || extension == ".db3" || extension == ".mcap" ||
+  return BagFormatOfName(path.filename().string()).has_value() ||
          path.filename() == "metadata.yaml";
 }
 
-// By the number of columns in the first line with numbers.
+// The form of the bags in `folder`, if there are any.
+std::optional<BagFormat> FormOfBags(const fs::path& folder) {
+  for (const BagFormat format : {BagFormat::kRosbag1, BagFormat::kRosbag2, BagFormat::kMcap}) {
+    std::vector<fs::path> files;
+    std::string ignored;
+    if (ListBagFiles(folder, format, &files, &ignored) && !files.empty()) return format;
+  }
+  return std::nullopt;
+}
+
+bool AreTumColumns(const PoseColumns& columns) {
+  return columns.stamp == 0 && !columns.has_stamp_unit &&
+         columns.position == std::array<int, 3>{1, 2, 3} &&
+         columns.quaternion == std::array<int, 4>{4, 5, 6, 7};
+}
+
+bool AreKittiColumns(const PoseColumns& columns) {
+  constexpr std::array<int, 12> kRows = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  return columns.stamp < 0 && columns.matrix == kRows;
+}
+
+// EuRoC's tables say in their names what the rule of the format says as well.
+bool AreEurocColumns(const PoseColumns& columns, bool has_names) {
+  return !has_names || (columns.stamp == 0 && columns.position == std::array<int, 3>{1, 2, 3} &&
+                        columns.quaternion == std::array<int, 4>{5, 6, 7, 4});
+}
+
+// By the names of the columns or, without them, by their numbers. Files of the common forms are
+// read as such: they allow no other columns.
 std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string* error) {
   std::string text;
   if (!ReadWholeFile(file, &text, error)) return std::nullopt;
   TextLines lines(text);
-  for (std::string_view line; lines.Next(&line);) {
-    const std::vector<std::string_view> words = SplitColumns(line);
-    if (words.empty() || words[0].front() == '#' || HoldsNamesOnly(line)) continue;
-    const bool is_euroc = words.size() >= 8 && line.find(',') != line.npos &&
-                          LooksLikeNanoseconds(words[0]) && words.size() != 12;
-    if (is_euroc) return ReferenceFormat::kEuroc;
-    if (words.size() == 8) return ReferenceFormat::kTum;
-    if (words.size() == 12) return ReferenceFormat::kKitti;
-    if (words.size() > 8) return ReferenceFormat::kTable;
-    *error = file.string() + ":" + std::to_string(lines.number()) + ": " +
-             std::to_string(words.size()) +
-             " columns, expected 8 (t x y z qx qy qz qw), 12 (rows of [R | t]) or more of a pose; "
-             "reference.format can say what they are";
+  std::vector<std::string_view> words;
+  std::string_view line;
+  bool has_names = false;
+  while (words.empty() && lines.Next(&line)) {
+    const std::string_view content = TrimBlanks(line);
+    if (content.empty()) continue;
+    const bool is_comment = content.front() == '#' || content.front() == '%';
+    if (is_comment || HoldsNamesOnly(line)) {
+      has_names = has_names || ColumnsByName(SplitNames(content)).has_value() || !is_comment;
+      continue;
+    }
+    words = SplitColumns(line);
+  }
+  std::string reason;
+  const std::optional<PoseColumns> columns = FindPoseColumns(text, file.string(), &reason);
+  const bool has_euroc_form = words.size() >= 8 && words.size() != 12 &&
+                              line.find(',') != line.npos && LooksLikeNanoseconds(words[0]);
+  const bool is_matrix = columns && columns->matrix[0] >= 0;
+  if (has_euroc_form && !is_matrix && AreEurocColumns(columns.value_or(PoseColumns()), has_names)) {
+    return ReferenceFormat::kEuroc;
+  }
+  if (!columns) {
+    *error = reason;
     return std::nullopt;
   }
-  *error = file.string() + ": holds no poses";
-  return std::nullopt;
+  const bool is_plain = columns->delimiter == '\0';
+  if (is_plain && words.size() == 8 && AreTumColumns(*columns)) return ReferenceFormat::kTum;
+  if (is_plain && words.size() == 12 && AreKittiColumns(*columns)) return ReferenceFormat::kKitti;
+  return ReferenceFormat::kTable;
+}
+
+// Whether the first line has names of columns that FindPoseColumns() knows; those of Boreas are
+// not.
+bool NamesTell(const fs::path& file) {
+  std::string text, ignored;
+  if (!ReadWholeFile(file, &text, &ignored)) return false;
+  TextLines lines(text);
+  std::string_view first;
+  return lines.Next(&first) && ColumnsByName(SplitNames(first)).has_value();
 }
 
 std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
@@ -101,7 +153,8 @@ std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
   if (IsBag(file)) return Found{file, ReferenceFormat::kBag};
   if (EndsWith(name, "_scans.csv") || file.extension() == ".h5")
     return Found{file, ReferenceFormat::kRadarScenes};
-  if (EndsWith(name, "_poses.csv")) return Found{file, ReferenceFormat::kBoreas};
+  if (EndsWith(name, "_poses.csv") && !NamesTell(file))
+    return Found{file, ReferenceFormat::kBoreas};
   if (name == "ref_poses.txt") return Found{file, ReferenceFormat::kDicp};
   if (name == "groundtruth_poses.txt") return Found{file, ReferenceFormat::kColoRadar};
   if (ParseRaFlowName(name, &sequence, &sample)) return Found{file, ReferenceFormat::kRaFlow};
@@ -130,10 +183,7 @@ std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
   if (HoldsRaFlow(folder)) found.push_back({folder, ReferenceFormat::kRaFlow});
   if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, ReferenceFormat::kVod});
   // A bag is the ground truth only where there is nothing better.
-  for (const char* extension : {".bag", ".db3", ".mcap"}) {
-    if (found.empty() && !Files(folder, extension).empty())
-      found.push_back({folder, ReferenceFormat::kBag});
-  }
+  if (found.empty() && FormOfBags(folder)) found.push_back({folder, ReferenceFormat::kBag});
   if (found.size() == 1) return found.front();
   if (found.empty()) {
     *error = folder.string() +
@@ -187,18 +237,20 @@ bool ReadTable(const fs::path& file,
   if (!ReadWholeFile(file, &text, error)) return false;
   const std::optional<PoseColumns> columns =
       known ? known : FindPoseColumns(text, file.string(), error);
-  return columns && ParsePoseTable(text, *columns, file.string(), &reference->poses, error);
+  if (!columns) return false;
+  reference->has_stamps = columns->stamp >= 0;
+  return ParsePoseTable(text, *columns, file.string(), &reference->poses, error);
 }
 
 bool ReadColoRadar(const fs::path& path, Reference* reference, std::string* error) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(path, ignored) ? path / "groundtruth_poses.txt" : path;
   const fs::path stamp_file = file.parent_path() / "timestamps.txt";
-  std::vector<std::int64_t> stamps_ns;
-  if (!ReadTable(file, ColoRadarColumns(), reference, error) ||
-      !ReadStampFile(stamp_file, &stamps_ns, error)) {
-    return false;
-  }
+  if (!ReadTable(file, ColoRadarColumns(), reference, error)) return false;
+  const std::optional<StampSequence> sequence = ReadStampFile(stamp_file, kAssumedRate, error);
+  if (!sequence) return false;
+  reference->has_stamps = true;
+  const std::vector<std::int64_t>& stamps_ns = sequence->stamps_ns;
   if (stamps_ns.size() != reference->poses.size()) {
     *error = stamp_file.string() + ": has " + std::to_string(stamps_ns.size()) +
              " stamps, expected one for each of the " + std::to_string(reference->poses.size()) +
@@ -280,10 +332,8 @@ bool ReadBag(const fs::path& path,
              const std::string& topic,
              Reference* reference,
              std::string* error) {
-  std::error_code ignored;
-  const bool is_bag1 = path.extension() == ".bag" || !Files(path, ".bag").empty();
   std::unique_ptr<MessageSource> bag = OpenMessageSource(
-      path, is_bag1 ? BagFormat::kRosbag1 : BagFormat::kRosbag2, MessageLimits(), error);
+      path, FormOfBags(path).value_or(BagFormat::kRosbag2), MessageLimits(), error);
   if (bag == nullptr) return false;
   auto trajectory = ReadBagTrajectory(std::move(bag), path.string(), topic, error);
   if (!trajectory) return false;

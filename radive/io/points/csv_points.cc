@@ -5,70 +5,43 @@
 
 #include <limits>
 
-#include "radive/io/bytes/number_text.h"
-#include "radive/io/bytes/text_lines.h"
+#include "radive/io/points/csv_text.h"
+#include "radive/io/points/field_matching.h"
 
 namespace radive {
 namespace {
 
-char DelimiterOf(std::string_view names) {
-  for (const char delimiter : {',', ';', '\t'}) {
-    if (names.find(delimiter) != std::string_view::npos) return delimiter;
-  }
-  return ' ';
-}
+// Words in the columns that hold numbers.
+struct ColumnWords {
+  std::size_t num_words = 0;
+  std::size_t num_numbers = 0;
+  int line = 0;  // of the first word
+  std::string first;
+};
 
-std::string_view WithoutQuotes(std::string_view cell) {
-  cell = TrimBlanks(cell);
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-    cell = TrimBlanks(cell.substr(1, cell.size() - 2));
-  }
-  return cell;
-}
+std::string Place(int line) { return "line " + std::to_string(line); }
 
-void SplitCells(std::string_view line, char delimiter, std::vector<std::string_view>* cells) {
-  cells->clear();
-  if (delimiter == ' ') {
-    for (std::string_view word = TakeWord(&line); !word.empty(); word = TakeWord(&line)) {
-      if (cells->size() == kMostColumns) return;
-      cells->push_back(WithoutQuotes(word));
+// What is to be said of columns with words. A column of nothing but words is a label, unless its
+// name says that it is used. False, with the reason in `error`, when that leaves nothing to read.
+bool JudgeWords(const PointTable& table,
+                const std::vector<ColumnWords>& columns,
+                std::vector<std::string>* remarks,
+                std::string* error) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ColumnWords& words = columns[i];
+    if (words.num_words == 0) continue;
+    const std::string what = Place(words.line) + ": expected a number in the column " +
+                             Quoted(table.fields[i].name) + ", found " + Quoted(words.first);
+    const std::optional<FieldRole> role = RoleOfName(table.fields[i].name);
+    if (words.num_numbers == 0) {
+      if (!role || *role == FieldRole::kTime) continue;
+      *error = what;
+      return false;
     }
-    return;
-  }
-  while (cells->size() < kMostColumns) {
-    const std::size_t end = line.find(delimiter);
-    cells->push_back(WithoutQuotes(line.substr(0, end)));
-    if (end == std::string_view::npos) return;
-    line.remove_prefix(end + 1);
-  }
-}
-
-bool IsNumbers(const std::vector<std::string_view>& cells) {
-  for (const std::string_view cell : cells) {
-    if (!ParseDouble(cell)) return false;
+    remarks->push_back(what + "; " + std::to_string(words.num_words) +
+                       " such cells are taken as missing");
   }
   return true;
-}
-
-// The line of names: the first that is no comment, or, where that holds numbers, the last comment.
-bool FindNames(TextLines* lines, std::string_view* names, std::string_view* first_numbers) {
-  std::string_view comment;
-  std::vector<std::string_view> cells;
-  for (std::string_view line; lines->Next(&line);) {
-    line = TrimBlanks(line);
-    if (line.empty()) continue;
-    if (line.front() == '#') {
-      comment = TrimBlanks(line.substr(1));
-      continue;
-    }
-    SplitCells(line, DelimiterOf(line), &cells);
-    const bool is_numbers = IsNumbers(cells);
-    *names = is_numbers ? comment : line;
-    *first_numbers = is_numbers ? line : std::string_view();
-    return !names->empty();
-  }
-  *names = comment;
-  return !comment.empty();
 }
 
 }  // namespace
@@ -79,44 +52,58 @@ bool ParseCsvPoints(std::string_view bytes,
                     std::string* error) {
   *table = PointTable();
   TextLines lines(bytes);
-  std::string_view names, line;
-  if (!FindNames(&lines, &names, &line)) {
-    *error = "line " + std::to_string(lines.number()) +
-             ": expected the names of the columns (x,y,z,doppler,...) before the numbers";
-    return false;
-  }
-  // A commented line of names may be separated by commas where the numbers are by blanks.
-  char delimiter = DelimiterOf(names);
-  std::vector<std::string_view> cells;
-  SplitCells(names, delimiter, &cells);
-  for (const std::string_view name : cells) {
+  const std::optional<CsvHead> head = ReadCsvHead(&lines, error);
+  if (!head) return false;
+  for (const std::string_view name : head->names) {
     table->AddField(std::string(name), NumericType::kFloat64);
   }
-  if (!line.empty()) delimiter = DelimiterOf(line);
+  if (HoldsPoses(table->fields)) {
+    *error = "the columns are those of poses or of motion, expected points";
+    return false;
+  }
+  std::vector<ColumnWords> words(table->fields.size());
   std::size_t num_left_out = 0;
+  std::string left_out;  // the first of them
   std::string record;
+  std::vector<std::string_view> cells;
+  std::string_view line = head->first_line;
   do {
-    line = TrimBlanks(line);
-    if (line.empty() || line.front() == '#') continue;
-    SplitCells(line, delimiter, &cells);
+    if (IsCsvComment(line)) continue;
+    SplitCells(line, head->delimiter, &cells);
     if (cells.size() != table->fields.size()) {
-      ++num_left_out;
+      if (num_left_out++ == 0) {
+        left_out = Place(lines.number()) + ": expected " + std::to_string(table->fields.size()) +
+                   " cells, found " + std::to_string(cells.size()) + ": " + Quoted(line);
+      }
       continue;
     }
     record.clear();
-    for (const std::string_view cell : cells) {
-      AppendLittleEndian(ParseDouble(cell).value_or(std::numeric_limits<double>::quiet_NaN()),
-                         &record);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::optional<double> value = ParseCell(cells[i]);
+      words[i].num_numbers += value ? 1 : 0;
+      if (!value && !IsMissing(cells[i]) && words[i].num_words++ == 0) {
+        words[i].line = lines.number();
+        words[i].first = cells[i];
+      }
+      AppendLittleEndian(value.value_or(std::numeric_limits<double>::quiet_NaN()), &record);
     }
     table->owned.insert(table->owned.end(), record.begin(), record.end());
     ++table->num_points;
   } while (lines.Next(&line));
+  if (num_left_out > 0 && table->num_points == 0) {
+    *error = left_out;
+    if (head->delimiter == ',') {
+      *error += "; decimal commas are only read where semicolons or tabs separate the cells";
+    }
+    return false;
+  }
   if (num_left_out > 0) {
     remarks->push_back(std::to_string(num_left_out) + " lines do not have " +
-                       std::to_string(table->fields.size()) + " cells and are left out");
+                       std::to_string(table->fields.size()) +
+                       " cells and are left out; the first: " + left_out);
   }
   table->data = table->owned.data();
-  return true;
+  return JudgeWords(*table, words, remarks, error);
 }
 
 }  // namespace radive

@@ -11,13 +11,14 @@
 
 namespace radive {
 
-// Takes a table of points in text apart: a line with the names of the columns, then a line a point,
-// cells separated by commas, semicolons, tabs or blanks (the first of these in the line of names).
-// Lines that start with # are left out, but the last one before the numbers may be the names. All
-// fields are float64; a cell that is no number is NaN. Lines with another number of cells are left
-// out, with a remark.
+// Takes a table of points in text apart: a line with the names of the columns, then a line per
+// point, see csv_text.h. All fields are float64. A cell that stands for no value is NaN; other
+// words in a column with numbers are NaN too, with a remark. Lines with another number of cells are
+// left out, with a remark.
 //
-// False, with the line and the expectation in `error`, when there is no line of names.
+// False, with the line and the expectation in `error`, when there is no line of names, no line that
+// fits them, nothing but words in a column that has a role (see field_matching.h), and for tables
+// of poses or of motion.
 bool ParseCsvPoints(std::string_view bytes,
                     PointTable* table,
                     std::vector<std::string>* remarks,

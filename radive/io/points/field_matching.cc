@@ -3,6 +3,9 @@
 
 #include "radive/io/points/field_matching.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "radive/io/bytes/text_lines.h"
 
 namespace radive {
@@ -26,11 +29,9 @@ constexpr Alias kAliases[] = {
     {"azimuth", FieldRole::kAzimuth},
     {"az", FieldRole::kAzimuth},
     {"azimuth_angle", FieldRole::kAzimuth},
-    {"azimuth_deg", FieldRole::kAzimuth},
     {"elevation", FieldRole::kElevation},
     {"el", FieldRole::kElevation},
     {"elevation_angle", FieldRole::kElevation},
-    {"elevation_deg", FieldRole::kElevation},
     {"doppler", FieldRole::kDoppler},
     {"v_doppler_mps", FieldRole::kDoppler},
     {"velocity", FieldRole::kDoppler},
@@ -61,6 +62,106 @@ constexpr Alias kAliases[] = {
 
 constexpr const char* kRoleNames[kNumFieldRoles] = {
     "x", "y", "z", "range", "azimuth", "elevation", "doppler", "power", "time"};
+
+struct Unit {
+  std::string_view name;
+  FieldRole role;  // kX for all lengths, kAzimuth for all angles
+  double factor;
+  bool is_suffix;  // is also known behind an underscore: azimuth_deg
+};
+
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
+
+constexpr Unit kUnits[] = {
+    {"m", FieldRole::kX, 1.0, true},
+    {"meter", FieldRole::kX, 1.0, false},
+    {"meters", FieldRole::kX, 1.0, false},
+    {"metre", FieldRole::kX, 1.0, false},
+    {"metres", FieldRole::kX, 1.0, false},
+    {"mm", FieldRole::kX, 1e-3, true},
+    {"cm", FieldRole::kX, 1e-2, true},
+    {"km", FieldRole::kX, 1e3, false},
+    {"rad", FieldRole::kAzimuth, 1.0, true},
+    {"radian", FieldRole::kAzimuth, 1.0, false},
+    {"radians", FieldRole::kAzimuth, 1.0, false},
+    {"deg", FieldRole::kAzimuth, kRadiansPerDegree, true},
+    {"degree", FieldRole::kAzimuth, kRadiansPerDegree, false},
+    {"degrees", FieldRole::kAzimuth, kRadiansPerDegree, true},
+    {"\xC2\xB0", FieldRole::kAzimuth, kRadiansPerDegree, false},  // the sign, UTF-8 and Latin-1
+    {"\xB0", FieldRole::kAzimuth, kRadiansPerDegree, false},
+    {"m/s", FieldRole::kDoppler, 1.0, false},
+    {"mps", FieldRole::kDoppler, 1.0, true},
+    {"m/sec", FieldRole::kDoppler, 1.0, false},
+    {"ms-1", FieldRole::kDoppler, 1.0, false},
+    {"km/h", FieldRole::kDoppler, 1.0 / 3.6, false},
+    {"kmh", FieldRole::kDoppler, 1.0 / 3.6, true},
+    {"kph", FieldRole::kDoppler, 1.0 / 3.6, true},
+    {"cm/s", FieldRole::kDoppler, 1e-2, false},
+    {"mm/s", FieldRole::kDoppler, 1e-3, false},
+    {"db", FieldRole::kPower, 1.0, true},
+    {"dbm", FieldRole::kPower, 1.0, true},
+    {"dbsm", FieldRole::kPower, 1.0, true},
+};
+
+// Which of the units' roles a role has.
+FieldRole Quantity(FieldRole role) {
+  switch (role) {
+    case FieldRole::kY:
+    case FieldRole::kZ:
+    case FieldRole::kRange:
+      return FieldRole::kX;
+    case FieldRole::kElevation:
+      return FieldRole::kAzimuth;
+    default:
+      return role;
+  }
+}
+
+// "velocity (km/h)" -> "velocity" and "km/h". Takes lower case.
+struct NameAndUnit {
+  std::string_view name;
+  std::string_view unit;
+  bool is_bracketed = false;
+};
+
+NameAndUnit SplitUnit(std::string_view text) {
+  text = TrimBlanks(text);
+  if (text.empty()) return {text, "", false};
+  const bool is_bracketed = text.back() == ']' || text.back() == ')';
+  const std::size_t begin = is_bracketed ? text.find_last_of("[(") : text.rfind('_');
+  if (begin == std::string_view::npos || begin == 0) return {text, "", false};
+  std::string_view name = TrimBlanks(text.substr(0, begin));
+  if (is_bracketed && !name.empty() && name.back() == '_') name.remove_suffix(1);
+  const std::size_t end = text.size() - (is_bracketed ? 1 : 0);
+  return {name, TrimBlanks(text.substr(begin + 1, end - begin - 1)), is_bracketed};
+}
+
+// The factor of a unit that fits the role. Of powers and times any unit will do: they are not
+// compared with anything.
+std::optional<double> FactorOf(FieldRole role, const NameAndUnit& name) {
+  if (name.unit.empty()) return 1.0;
+  for (const Unit& unit : kUnits) {
+    if (unit.name == name.unit && unit.role == Quantity(role) &&
+        (name.is_bracketed || unit.is_suffix)) {
+      return unit.factor;
+    }
+  }
+  const bool is_any = role == FieldRole::kPower || role == FieldRole::kTime;
+  return name.is_bracketed && is_any ? std::optional(1.0) : std::nullopt;
+}
+
+// The role of a name with a unit behind.
+bool HasAliasAndUnit(std::string_view lower_case, const Alias& alias) {
+  const NameAndUnit name = SplitUnit(lower_case);
+  return name.name == alias.name && FactorOf(alias.role, name);
+}
+
+int IndexOfAlias(const std::vector<PointField>& fields, const Alias& alias) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (HasAliasAndUnit(LowerCase(fields[i].name), alias)) return static_cast<int>(i);
+  }
+  return -1;
+}
 
 int IndexOfName(const std::vector<PointField>& fields, std::string_view lower_case) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -105,7 +206,33 @@ std::optional<FieldRole> RoleOfName(std::string_view name) {
   for (const Alias& alias : kAliases) {
     if (alias.name == lower_case) return alias.role;
   }
+  for (const Alias& alias : kAliases) {
+    if (HasAliasAndUnit(lower_case, alias)) return alias.role;
+  }
   return std::nullopt;
+}
+
+double UnitOfName(FieldRole role, std::string_view name) {
+  const std::string lower_case = LowerCase(name);
+  return FactorOf(role, SplitUnit(lower_case)).value_or(1.0);
+}
+
+bool HoldsPoses(const std::vector<PointField>& fields) {
+  std::string names = " ";
+  for (const PointField& field : fields) {
+    std::string name = LowerCase(field.name);
+    name.resize(SplitUnit(name).is_bracketed ? SplitUnit(name).name.size() : name.size());
+    names += name + " ";
+  }
+  const auto has_all = [&](std::initializer_list<std::string_view> wanted) {
+    return std::all_of(wanted.begin(), wanted.end(), [&](std::string_view name) {
+      return names.find(" " + std::string(name) + " ") != std::string::npos;
+    });
+  };
+  return has_all({"qx", "qy", "qz", "qw"}) || has_all({"q_x", "q_y", "q_z", "q_w"}) ||
+         has_all({"roll", "pitch", "yaw"}) || has_all({"latitude", "longitude"}) ||
+         has_all({"lat", "lon"}) || has_all({"ax", "ay", "az", "wx"}) ||
+         has_all({"acc_x", "gyro_x"}) || has_all({"ax", "gx"});
 }
 
 std::optional<FieldChoices> ParseFieldChoices(const std::string& text, std::string* error) {
@@ -148,6 +275,9 @@ std::optional<FieldMatch> MatchFields(const std::vector<PointField>& fields,
   FieldMatch match;
   for (const Alias& alias : kAliases) {
     if (!match.Has(alias.role)) match.Set(alias.role, IndexOfName(fields, alias.name));
+  }
+  for (const Alias& alias : kAliases) {
+    if (!match.Has(alias.role)) match.Set(alias.role, IndexOfAlias(fields, alias));
   }
   if (!ApplyChoices(fields, choices, &match, error)) return std::nullopt;
   const bool is_cartesian = match.Has(FieldRole::kX) && match.Has(FieldRole::kY);

@@ -21,8 +21,8 @@ enum class FieldRole {
   kY,          // [m]
   kZ,          // [m]
   kRange,      // [m]
-  kAzimuth,    // [rad], positive to the left; degrees where the name ends in _deg
-  kElevation,  // [rad], positive up; degrees where the name ends in _deg
+  kAzimuth,    // [rad], positive to the left
+  kElevation,  // [rad], positive up
   kDoppler,    // range rate as measured, never compensated [m/s]
   kPower,      // power, SNR or radar cross section [dB or dBsm]
   kTime        // of the point within its scan, any unit; named in reports, not used
@@ -33,8 +33,17 @@ constexpr std::size_t kNumFieldRoles = 9;
 const char* NameOf(FieldRole role);
 
 // The role that a field of this name has; none for the others, among them all compensated
-// velocities. Case does not matter; only whole names count.
+// velocities. Case does not matter; only whole names count, apart from a unit behind: "x [m]",
+// "velocity (km/h)", "azimuth_deg".
 std::optional<FieldRole> RoleOfName(std::string_view name);
+
+// What values of a field of this name are multiplied with to be in the unit of the role, as the
+// unit behind the name says (mm, cm, km; deg; km/h, cm/s, mm/s); 1 without a unit.
+double UnitOfName(FieldRole role, std::string_view name);
+
+// True when the names are those of a table of poses, places on the earth or inertial measurements:
+// it has quaternions, roll, pitch and yaw, latitude and longitude, or accelerations and rates.
+bool HoldsPoses(const std::vector<PointField>& fields);
 
 // Choices of the user (input.fields): which field has a role, by its name; "_" for none.
 using FieldChoices = std::vector<std::pair<FieldRole, std::string>>;

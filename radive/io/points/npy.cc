@@ -62,11 +62,26 @@ bool ReadShape(std::string_view value, NpyHeader* header) {
   return true;
 }
 
+// What the user can do about an array that is not as expected.
+std::string Advice(std::string_view descr, std::string_view shape) {
+  if (descr.substr(0, 1) == "[") {
+    return "; a structured array: save its columns side by side, as " +
+           std::string("numpy.lib.recfunctions.structured_to_unstructured does");
+  }
+  if (descr.substr(1, 2) == "|O" || descr.substr(1, 1) == "O") {
+    return "; it holds pickled Python objects, which are not read";
+  }
+  NpyHeader ignored;
+  return ReadShape(shape, &ignored) ? "; save it with astype(numpy.float32)" : "";
+}
+
 // Reads the header and takes it off `bytes`.
 bool ReadHeader(std::string_view* bytes, NpyHeader* header, std::string* error) {
   const std::size_t size_bytes = bytes->size() > 6 && (*bytes)[6] == 1 ? 2 : 4;
   if (bytes->substr(0, kMagic.size()) != kMagic || bytes->size() < 8 + size_bytes) {
     *error = "expected a NumPy array, which starts with \\x93NUMPY";
+    if (bytes->substr(0, 4) == "PK\x03\x04")
+      *error += "; a zip archive (npz) holds arrays in files";
     return false;
   }
   const std::size_t size = size_bytes == 2 ? ReadUnsigned<std::uint16_t>(bytes->data() + 8, false)
@@ -84,7 +99,8 @@ bool ReadHeader(std::string_view* bytes, NpyHeader* header, std::string* error) 
       (!header->is_fortran_order && order.substr(0, 5) != "False") ||
       !ReadShape(ValueOf(dictionary, "shape"), header)) {
     *error = "expected an array of float32 or float64 with two dimensions, a point a row, found " +
-             Quoted(dictionary);
+             Quoted(dictionary) +
+             Advice(ValueOf(dictionary, "descr"), ValueOf(dictionary, "shape"));
     return false;
   }
   return true;
@@ -102,6 +118,7 @@ bool NameColumns(const NpyHeader& header,
     *error = "the array has " + std::to_string(header.columns) +
              " columns; expected 3 (x y z), 4 (and power), 5 (and doppler), or as many names in " +
              "input.layout";
+    if (header.rows <= 20 && header.rows < header.columns) *error += "; is it transposed?";
     return false;
   }
   for (std::string& name : columns) table->AddField(std::move(name), header.type);
@@ -135,6 +152,11 @@ bool ParseNpy(std::string_view bytes,
       return false;
     }
     remarks->push_back(found);
+  }
+  if (const std::size_t used = table->num_points * table->stride;
+      table->num_points == header.rows && bytes.size() > used) {
+    remarks->push_back(std::to_string(bytes.size() - used) +
+                       " bytes behind the last point are ignored");
   }
   table->data = bytes.data();
   if (!header.is_fortran_order) return true;

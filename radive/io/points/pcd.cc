@@ -35,34 +35,36 @@ bool TakeWords(std::string_view text, std::vector<std::string_view>* words) {
   return true;
 }
 
-bool ReadEncoding(std::string_view word, Encoding* encoding) {
+bool ReadEncoding(std::string_view text, Encoding* encoding) {
+  const std::string word = LowerCase(text);
   if (word == "ascii") return *encoding = Encoding::kAscii, true;
   if (word == "binary") return *encoding = Encoding::kBinary, true;
   if (word == "binary_compressed") return *encoding = Encoding::kCompressed, true;
   return false;
 }
 
-// Reads one line; sets `is_last` at the DATA line.
+// Reads one line; sets `is_last` at the DATA line. Case does not matter, and keys that PCL does not
+// know are left to whoever wrote them.
 bool ReadHeaderLine(std::string_view line, PcdHeader* header, bool* is_last) {
   std::string_view rest = line;
-  const std::string_view key = TakeWord(&rest);
-  if (key.empty() || key.front() == '#' || key == "VERSION" || key == "VIEWPOINT") return true;
+  const std::string key = LowerCase(TakeWord(&rest));
   const auto read_count = [&](std::optional<std::uint64_t>* count) {
     *count = ParseCount(TakeWord(&rest));
     return count->has_value();
   };
-  if (key == "FIELDS" || key == "COLUMNS") return TakeWords(rest, &header->names);
-  if (key == "SIZE") return TakeWords(rest, &header->sizes);
-  if (key == "TYPE") return TakeWords(rest, &header->types);
-  if (key == "COUNT") return TakeWords(rest, &header->counts);
-  if (key == "WIDTH") return read_count(&header->width);
-  if (key == "HEIGHT") return read_count(&header->height);
-  if (key == "POINTS") return read_count(&header->points);
-  *is_last = key == "DATA";
-  return *is_last && ReadEncoding(TakeWord(&rest), &header->encoding);
+  if (key == "fields" || key == "columns") return TakeWords(rest, &header->names);
+  if (key == "size") return TakeWords(rest, &header->sizes);
+  if (key == "type") return TakeWords(rest, &header->types);
+  if (key == "count") return TakeWords(rest, &header->counts);
+  if (key == "width") return read_count(&header->width);
+  if (key == "height") return read_count(&header->height);
+  if (key == "points") return read_count(&header->points);
+  *is_last = key == "data";
+  return !*is_last || ReadEncoding(TakeWord(&rest), &header->encoding);
 }
 
 bool ReadHeader(std::string_view bytes, PcdHeader* header, std::string* error) {
+  bytes = WithoutByteOrderMark(bytes);
   std::size_t number = 0;
   while (true) {
     const std::size_t end = bytes.find('\n');
@@ -89,7 +91,8 @@ bool ReadHeader(std::string_view bytes, PcdHeader* header, std::string* error) {
 
 std::optional<NumericType> TypeOf(std::string_view type, std::string_view size) {
   if (size.size() != 1 || type.size() != 1) return std::nullopt;
-  switch (type[0] * 256 + size[0]) {
+  const char upper = type[0] >= 'a' ? static_cast<char>(type[0] - 'a' + 'A') : type[0];
+  switch (upper * 256 + size[0]) {
     case 'F' * 256 + '4':
       return NumericType::kFloat32;
     case 'F' * 256 + '8':
@@ -131,7 +134,9 @@ bool ReadFields(const PcdHeader& header, PointTable* table, std::string* error) 
         header.counts.empty() ? std::optional<std::uint64_t>(1) : ParseCount(header.counts[i]);
     if (!type || !count || *count == 0 || *count > kMostCount) {
       *error = "header: field " + Quoted(header.names[i]) +
-               ": expected TYPE F, U or I with SIZE 1, 2, 4 or 8 and COUNT from 1";
+               ": expected TYPE F, U or I with SIZE 1, 2, 4 or 8 (F: 4 or 8) and COUNT from 1, " +
+               "found " + Quoted(header.types[i]) + ", " + Quoted(header.sizes[i]) +
+               (header.counts.empty() ? "" : " and " + Quoted(header.counts[i]));
       return false;
     }
     table->AddField(std::string(header.names[i]), *type, static_cast<std::size_t>(*count));
@@ -147,16 +152,21 @@ void RemovePadding(PointTable* table) {
       fields.end());
 }
 
-// Number of points that the header promises, as far as one can know.
-std::optional<std::uint64_t> Promised(const PcdHeader& header) {
-  if (header.points) return header.points;
+std::optional<std::uint64_t> WidthTimesHeight(const PcdHeader& header) {
   if (!header.width || !header.height) return std::nullopt;
   if (*header.height != 0 && *header.width > UINT64_MAX / *header.height) return UINT64_MAX;
   return *header.width * *header.height;
 }
 
+// Number of points that the header promises: POINTS, or WIDTH times HEIGHT where that is missing or
+// is what the data hold, which are `found` points.
+std::optional<std::uint64_t> Promised(const PcdHeader& header, std::uint64_t found) {
+  const std::optional<std::uint64_t> grid = WidthTimesHeight(header);
+  return !header.points || grid == found ? grid : header.points;
+}
+
 void RemarkOnCount(const PcdHeader& header, std::size_t found, std::vector<std::string>* remarks) {
-  const auto promised = Promised(header);
+  const auto promised = Promised(header, found);
   if (!promised || *promised == found) return;
   remarks->push_back("the header promises " + std::to_string(*promised) +
                      " points, the data hold " + std::to_string(found));
@@ -164,10 +174,9 @@ void RemarkOnCount(const PcdHeader& header, std::size_t found, std::vector<std::
 
 bool ReadBinary(const PcdHeader& header, PointTable* table, std::vector<std::string>* remarks) {
   const std::size_t size = header.payload.size();
-  const auto promised = Promised(header);
   const std::size_t num_fields = table->fields.size();
   const auto fits = [&](std::size_t stride) {
-    return promised && size % stride == 0 && size / stride == *promised;
+    return size % stride == 0 && Promised(header, size / stride) == size / stride;
   };
   if (!fits(table->stride) && fits(4 * num_fields)) {
     remarks->push_back("the declared sizes do not fit the data; every field is read as float32");
@@ -179,6 +188,7 @@ bool ReadBinary(const PcdHeader& header, PointTable* table, std::vector<std::str
   }
   table->data = header.payload.data();
   table->num_points = size / table->stride;
+  const auto promised = Promised(header, table->num_points);
   // Behind the points some writers leave more than one would want.
   if (promised && *promised < table->num_points) {
     table->num_points = static_cast<std::size_t>(*promised);
@@ -198,7 +208,7 @@ bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* err
   const std::size_t packed_size = ReadUnsigned<std::uint32_t>(payload.data(), false);
   const std::size_t size = ReadUnsigned<std::uint32_t>(payload.data() + 4, false);
   payload.remove_prefix(8);
-  const auto promised = Promised(header);
+  const auto promised = Promised(header, size / table->stride);
   if (packed_size > payload.size() || size % table->stride != 0 ||
       (promised && size / table->stride != *promised)) {
     *error = "expected compressed data of " + std::to_string(promised.value_or(0)) + " points of " +
@@ -227,6 +237,25 @@ bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* err
   return true;
 }
 
+bool IsBlank(std::string_view text) { return TakeWord(&text).empty(); }
+
+// One line to the bytes of a record. False unless it holds a number for each field and no more.
+bool ReadTextRecord(const PointTable& table, std::string_view line, std::string* record) {
+  record->clear();
+  for (const PointField& field : table.fields) {
+    for (std::size_t k = 0; k < field.count; ++k) {
+      const std::optional<double> value = ParseDouble(TakeWord(&line));
+      if (!value) return false;
+      if (field.type == NumericType::kFloat32) {
+        AppendLittleEndian(static_cast<float>(*value), record);
+      } else {
+        AppendLittleEndian(*value, record);
+      }
+    }
+  }
+  return IsBlank(line);
+}
+
 // Values of float32 fields stay float32, all others become float64.
 bool ReadAscii(const PcdHeader& header,
                PointTable* table,
@@ -242,35 +271,31 @@ bool ReadAscii(const PcdHeader& header,
   *table = std::move(text);
   std::string record;
   TextLines lines(header.payload);
-  const auto promised = Promised(header);
+  std::size_t num_bad = 0;
+  std::string first_bad;
   for (std::string_view line; lines.Next(&line);) {
-    if (promised && table->num_points == *promised) break;
-    record.clear();
-    std::string_view rest = line;
-    bool is_whole = true;
-    for (const PointField& field : table->fields) {
-      for (std::size_t k = 0; is_whole && k < field.count; ++k) {
-        const std::optional<double> value = ParseDouble(TakeWord(&rest));
-        is_whole = value.has_value();
-        if (!is_whole) break;
-        if (field.type == NumericType::kFloat32) {
-          AppendLittleEndian(static_cast<float>(*value), &record);
-        } else {
-          AppendLittleEndian(*value, &record);
-        }
-      }
-    }
-    if (record.empty() && TrimBlanks(line).empty()) continue;
-    if (!is_whole || !TakeWord(&rest).empty()) {
-      *error = "line " + std::to_string(lines.number()) + " of the data: expected a number for " +
-               "each field, found " + Quoted(line);
-      // What is before the break is good; only a cut end is common enough to be worth it.
-      if (table->num_points == 0) return false;
-      remarks->push_back(*error);
-      break;
+    if (IsBlank(line)) continue;
+    if (!ReadTextRecord(*table, line, &record)) {
+      if (num_bad++ > 0) continue;
+      first_bad = "line " + std::to_string(lines.number()) +
+                  " of the data: expected a number for each field, found " + Quoted(line);
+      continue;
     }
     table->owned.insert(table->owned.end(), record.begin(), record.end());
     ++table->num_points;
+  }
+  if (num_bad > 0 && table->num_points == 0) {
+    *error = first_bad;
+    return false;
+  }
+  if (num_bad > 0) {
+    remarks->push_back(first_bad + "; " + std::to_string(num_bad) + " such lines are left out");
+  }
+  const auto promised = Promised(header, table->num_points + num_bad);
+  if (promised && *promised < table->num_points) {
+    remarks->push_back(std::to_string(table->num_points - *promised) +
+                       " lines behind the last point are ignored");
+    table->num_points = static_cast<std::size_t>(*promised);
   }
   table->data = table->owned.data();
   RemarkOnCount(header, table->num_points, remarks);

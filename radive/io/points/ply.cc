@@ -36,25 +36,20 @@ struct PlyHeader {
 
 std::optional<NumericType> TypeOfName(std::string_view name) {
   constexpr std::pair<std::string_view, NumericType> kNames[] = {
-      {"float", NumericType::kFloat32},
-      {"float32", NumericType::kFloat32},
-      {"double", NumericType::kFloat64},
-      {"float64", NumericType::kFloat64},
-      {"char", NumericType::kInt8},
-      {"int8", NumericType::kInt8},
-      {"uchar", NumericType::kUint8},
-      {"uint8", NumericType::kUint8},
-      {"short", NumericType::kInt16},
-      {"int16", NumericType::kInt16},
-      {"ushort", NumericType::kUint16},
-      {"uint16", NumericType::kUint16},
-      {"int", NumericType::kInt32},
-      {"int32", NumericType::kInt32},
-      {"uint", NumericType::kUint32},
-      {"uint32", NumericType::kUint32},
+      {"float", NumericType::kFloat32},  {"float32", NumericType::kFloat32},
+      {"double", NumericType::kFloat64}, {"float64", NumericType::kFloat64},
+      {"bool", NumericType::kUint8},     {"char", NumericType::kInt8},
+      {"int8", NumericType::kInt8},      {"uchar", NumericType::kUint8},
+      {"uint8", NumericType::kUint8},    {"short", NumericType::kInt16},
+      {"int16", NumericType::kInt16},    {"ushort", NumericType::kUint16},
+      {"uint16", NumericType::kUint16},  {"int", NumericType::kInt32},
+      {"int32", NumericType::kInt32},    {"uint", NumericType::kUint32},
+      {"uint32", NumericType::kUint32},  {"int64", NumericType::kInt64},
+      {"uint64", NumericType::kUint64},
   };
+  const std::string lower_case = LowerCase(name);
   for (const auto& [known, type] : kNames) {
-    if (known == name) return type;
+    if (known == lower_case) return type;
   }
   return std::nullopt;
 }
@@ -79,13 +74,13 @@ bool ReadProperty(std::string_view rest, PlyHeader* header) {
   return true;
 }
 
-// Reads one line; sets `is_last` at end_header.
+// Reads one line; sets `is_last` at end_header. Case does not matter, and keys that are not known
+// are left to whoever wrote them.
 bool ReadHeaderLine(std::string_view line, PlyHeader* header, bool* is_last) {
   std::string_view rest = line;
-  const std::string_view key = TakeWord(&rest);
-  if (key.empty() || key == "comment" || key == "obj_info") return true;
+  const std::string key = LowerCase(TakeWord(&rest));
   if (key == "format") {
-    const std::string_view format = TakeWord(&rest);
+    const std::string format = LowerCase(TakeWord(&rest));
     header->is_ascii = format == "ascii";
     header->is_big_endian = format == "binary_big_endian";
     return header->is_ascii || header->is_big_endian || format == "binary_little_endian";
@@ -101,22 +96,24 @@ bool ReadHeaderLine(std::string_view line, PlyHeader* header, bool* is_last) {
   }
   if (key == "property") return ReadProperty(rest, header);
   *is_last = key == "end_header";
-  return *is_last;
+  return true;
 }
 
 bool ReadHeader(std::string_view bytes, PlyHeader* header, std::string* error) {
+  bytes = WithoutByteOrderMark(bytes);
   for (int number = 1;; ++number) {
     const std::size_t end = bytes.find('\n');
     const std::string_view line = bytes.substr(0, end);
     std::string_view rest = line;
     bool is_last = false;
     const bool is_good =
-        end != std::string_view::npos &&
-        (number == 1 ? TakeWord(&rest) == "ply" : ReadHeaderLine(line, header, &is_last));
+        end != std::string_view::npos && (number == 1 ? LowerCase(TakeWord(&rest)) == "ply"
+                                                      : ReadHeaderLine(line, header, &is_last));
     if (!is_good) {
       *error = "line " + std::to_string(number) + ": expected " +
                (number == 1 ? "'ply'"
-                            : "a line of a PLY header (format, element, property, end_header)") +
+                            : "a line of a PLY header (format, element, property with a known "
+                              "type, end_header)") +
                ", found " + Quoted(line);
       return false;
     }
@@ -247,7 +244,7 @@ bool ParsePly(std::string_view bytes,
   if (!ReadHeader(bytes, &header, error)) return false;
   ElementReader reader(header);
   for (const Element& element : header.elements) {
-    if (element.name != "vertex") {
+    if (LowerCase(element.name) != "vertex") {
       if (SkipElement(element, header.is_ascii, &reader)) continue;
       *error = "the data end within the element " + Quoted(element.name) + ", before the vertices";
       return false;

@@ -60,11 +60,13 @@ std::vector<OptionField> InputOptions::Fields() {
           "-",
           "Folder with the scan files, relative to the input or to a folder below it; empty: "
           "the usual places are searched. With input.radar all a list: [one, other]."},
-      OptionField{"rate",
-                  &rate,
-                  "Hz",
-                  "Scans a second, for data that store no stamps: scan k gets the stamp k / rate."}
-          .AtLeast(1e-3)
+      OptionField{
+          "rate",
+          &rate,
+          "Hz",
+          "Scans per second, for data that store no stamps: scan k gets the stamp k / rate. 0: "
+          "not known, 10 is assumed, with a warning."}
+          .AtLeast(0.0)
           .AtMost(1e6),
       OptionField{
           "radar",

@@ -39,8 +39,9 @@ struct InputOptions {
   // "all" a list of them.
   std::string folder;
 
-  // Scans a second [Hz] where the data have no stamps: scan k gets the stamp k / rate.
-  double rate = 10.0;
+  // Scans per second [Hz] where the data have no stamps: scan k gets the stamp k / rate. 0: not
+  // known, 10 is assumed, with a warning.
+  double rate = 0.0;
 
   // Which radar of the vehicle, for data with several: a number from 1, or "all", see all_radars.h.
   // Those of RadarScenes that look ahead are 2 and 3.

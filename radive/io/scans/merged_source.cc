@@ -5,9 +5,18 @@
 
 #include <glog/logging.h>
 
+#include <cmath>
 #include <utility>
 
+#include "radive/util/number_text.h"
+
 namespace radive {
+namespace {
+
+// Radars of one drive are switched on within this time [s].
+constexpr double kFarApart = 60.0;
+
+}  // namespace
 
 MergedSource::MergedSource(std::vector<Radar> radars) {
   CHECK(!radars.empty());
@@ -26,6 +35,24 @@ bool MergedSource::Read(Input* input) {
   return input->status != Status::kError;
 }
 
+// Stamps of different clocks would play one radar behind the other.
+void MergedSource::CompareClocks() {
+  has_compared_ = true;
+  const Input& first = inputs_.front();
+  for (const Input& input : inputs_) {
+    if (first.status != Status::kScan || input.status != Status::kScan) continue;
+    const double apart = 1e-9 * (static_cast<double>(input.next.stamp_ns) -
+                                 static_cast<double>(first.next.stamp_ns));
+    if (std::abs(apart) <= kFarApart) continue;
+    warnings_.push_back(
+        FormatText("radar %d begins %.6g s %s radar %d by its stamps: have they the same clock?",
+                   input.number,
+                   std::abs(apart),
+                   apart > 0.0 ? "after" : "before",
+                   first.number));
+  }
+}
+
 ScanSource::Status MergedSource::Next(RadarScan* scan) {
   Input* earliest = nullptr;
   for (Input& input : inputs_) {
@@ -33,6 +60,7 @@ ScanSource::Status MergedSource::Next(RadarScan* scan) {
     if (input.status == Status::kEnd) continue;
     if (earliest == nullptr || input.next.stamp_ns < earliest->next.stamp_ns) earliest = &input;
   }
+  if (!has_compared_) CompareClocks();
   if (earliest == nullptr) return Status::kEnd;
   std::swap(*scan, earliest->next);
   earliest->is_read = false;

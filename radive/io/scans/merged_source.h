@@ -42,8 +42,10 @@ class MergedSource : public ScanSource {
 
   // Fills the input's `next`; false after an error.
   bool Read(Input* input);
+  void CompareClocks();
 
   std::vector<Input> inputs_;
+  bool has_compared_ = false;
 };
 
 }  // namespace radive

@@ -15,8 +15,6 @@
 namespace radive {
 namespace {
 
-constexpr double kRadians = 3.14159265358979323846 / 180.0;
-
 FieldChoices ChoicesOf(const InputOptions& options) {
   std::string error;
   std::optional<FieldChoices> choices = ParseFieldChoices(options.fields, &error);
@@ -36,10 +34,11 @@ bool SameFields(const std::vector<PointField>& a, const std::vector<PointField>&
 struct AnyNumber {
   const PointField* field = nullptr;
   bool is_big_endian = false;
+  double unit = 1.0;
 
   double operator()(const char* record) const {
     if (field == nullptr) return std::numeric_limits<double>::quiet_NaN();
-    return ReadNumber(record + field->offset, field->type, is_big_endian);
+    return unit * ReadNumber(record + field->offset, field->type, is_big_endian);
   }
 };
 
@@ -80,20 +79,15 @@ void ReadCartesian(const PointTable& table,
   }
 }
 
-AnyNumber AnyReader(const PointTable& table, int index) {
-  if (index < 0) return {};
-  return {&table.fields[static_cast<std::size_t>(index)], table.is_big_endian};
+AnyNumber AnyReader(const PointTable& table, const FieldMatch& match, FieldRole role) {
+  if (!match.Has(role)) return {};
+  const PointField& field = table.fields[static_cast<std::size_t>(match[role])];
+  return {&field, table.is_big_endian, UnitOfName(role, field.name)};
 }
 
-Float32Number Float32Reader(const PointTable& table, int index) {
-  if (index < 0) return {};
-  return {true, table.fields[static_cast<std::size_t>(index)].offset};
-}
-
-bool EndsInDegrees(const PointTable& table, int index) {
-  if (index < 0) return false;
-  const std::string name = LowerCase(table.fields[static_cast<std::size_t>(index)].name);
-  return name.size() >= 4 && name.compare(name.size() - 4, 4, "_deg") == 0;
+Float32Number Float32Reader(const PointTable& table, const FieldMatch& match, FieldRole role) {
+  if (!match.Has(role)) return {};
+  return {true, table.fields[static_cast<std::size_t>(match[role])].offset};
 }
 
 void ReadPolar(const PointTable& table,
@@ -101,20 +95,18 @@ void ReadPolar(const PointTable& table,
                bool planar,
                double doppler_sign,
                std::vector<RadarReturn>* returns) {
-  const auto reader = [&](FieldRole role) { return AnyReader(table, match[role]); };
+  const auto reader = [&](FieldRole role) { return AnyReader(table, match, role); };
   const AnyNumber range_of = reader(FieldRole::kRange);
   const AnyNumber azimuth_of = reader(FieldRole::kAzimuth);
   const AnyNumber elevation_of = reader(FieldRole::kElevation);
   const AnyNumber doppler_of = reader(FieldRole::kDoppler);
   const AnyNumber power_of = reader(FieldRole::kPower);
-  const double azimuth_unit = EndsInDegrees(table, match[FieldRole::kAzimuth]) ? kRadians : 1.0;
-  const double elevation_unit = EndsInDegrees(table, match[FieldRole::kElevation]) ? kRadians : 1.0;
   returns->resize(table.num_points);
   const char* record = table.data;
   for (RadarReturn& ret : *returns) {
     const double range = range_of(record);
-    const double azimuth = azimuth_unit * azimuth_of(record);
-    const double elevation = planar ? 0.0 : elevation_unit * elevation_of(record);
+    const double azimuth = azimuth_of(record);
+    const double elevation = planar ? 0.0 : elevation_of(record);
     const double horizontal = planar ? range : range * std::cos(elevation);
     ret.position = {horizontal * std::cos(azimuth),
                     horizontal * std::sin(azimuth),
@@ -129,11 +121,11 @@ template <typename Number, typename MakeReader>
 Readers<Number> CartesianReaders(const PointTable& table,
                                  const FieldMatch& match,
                                  const MakeReader& make) {
-  return {make(table, match[FieldRole::kX]),
-          make(table, match[FieldRole::kY]),
-          make(table, match[FieldRole::kZ]),
-          make(table, match[FieldRole::kDoppler]),
-          make(table, match[FieldRole::kPower])};
+  return {make(table, match, FieldRole::kX),
+          make(table, match, FieldRole::kY),
+          make(table, match, FieldRole::kZ),
+          make(table, match, FieldRole::kDoppler),
+          make(table, match, FieldRole::kPower)};
 }
 
 bool UsesOnlyFloat32(const PointTable& table, const FieldMatch& match) {
@@ -141,9 +133,9 @@ bool UsesOnlyFloat32(const PointTable& table, const FieldMatch& match) {
   for (const FieldRole role :
        {FieldRole::kX, FieldRole::kY, FieldRole::kZ, FieldRole::kDoppler, FieldRole::kPower}) {
     const int index = match[role];
-    if (index >= 0 && table.fields[static_cast<std::size_t>(index)].type != NumericType::kFloat32) {
-      return false;
-    }
+    if (index < 0) continue;
+    const PointField& field = table.fields[static_cast<std::size_t>(index)];
+    if (field.type != NumericType::kFloat32 || UnitOfName(role, field.name) != 1.0) return false;
   }
   return true;
 }

@@ -9,12 +9,17 @@
 #include <utility>
 #include <vector>
 
+#include "radive/io/bytes/record_file.h"
+#include "radive/io/bytes/text_lines.h"
 #include "radive/io/points/csv_points.h"
+#include "radive/io/points/csv_text.h"
+#include "radive/io/points/field_matching.h"
 #include "radive/io/points/npy.h"
 #include "radive/io/points/pcd.h"
 #include "radive/io/points/ply.h"
 #include "radive/io/points/raw_layout.h"
 #include "radive/io/points/yaml_points.h"
+#include "radive/io/scans/csv_drive_source.h"
 #include "radive/io/scans/point_folder_source.h"
 
 namespace radive {
@@ -29,6 +34,19 @@ std::vector<std::string> ColumnNames(const InputOptions& options) {
   std::vector<std::string> names(layout->record_size / 4, "_");
   for (const PointField& field : layout->fields) names[field.offset / 4] = field.name;
   return names;
+}
+
+// By the names of the columns of a text table.
+bool HoldsPoints(const std::filesystem::path& file, const InputOptions& options) {
+  std::string text, ignored;
+  if (!ReadWholeFile(file, &text, &ignored)) return true;  // it is a scan that cannot be read
+  TextLines lines(text);
+  const std::optional<CsvHead> head = ReadCsvHead(&lines, &ignored);
+  if (!head) return false;
+  std::vector<PointField> fields;
+  for (const std::string_view name : head->names) fields.push_back({std::string(name)});
+  const std::optional<FieldChoices> choices = ParseFieldChoices(options.fields, &ignored);
+  return !HoldsPoses(fields) && choices && MatchFields(fields, *choices, &ignored).has_value();
 }
 
 class FormatReader : public PointFileReader {
@@ -105,8 +123,17 @@ std::unique_ptr<ScanSource> OpenPointFileSource(const std::filesystem::path& pat
   query.candidates = {".", "points", "radar", "pointclouds", "ars548/points", "eagleg7/enhanced"};
   if (!options.folder.empty()) query.LookOnlyIn(options.folder);
   query.rate = options.rate;
+  if (format == PointFileFormat::kCsv) {
+    query.holds_points = [&options](const std::filesystem::path& file) {
+      return HoldsPoints(file, options);
+    };
+  }
   std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
   if (!folder) return nullptr;
+  if (format == PointFileFormat::kCsv && folder->names.size() == 1) {
+    std::unique_ptr<CsvDriveSource> drive = CsvDriveSource::Open(folder->File(0), options);
+    if (drive != nullptr) return drive;
+  }
   auto reader = std::make_unique<FormatReader>(format, ColumnNames(options));
   return std::make_unique<PointFolderSource>(
       *std::move(folder), std::move(reader), options, NameOf(format) + std::string(" scans"));

@@ -12,6 +12,12 @@
 #include "radive/io/bytes/record_file.h"
 
 namespace radive {
+namespace {
+
+// When none of so many can be read, none will.
+constexpr std::size_t kFirstScans = 10;
+
+}  // namespace
 
 PointFolderSource::PointFolderSource(ScanFolder folder,
                                      std::unique_ptr<PointFileReader> reader,
@@ -23,39 +29,68 @@ PointFolderSource::PointFolderSource(ScanFolder folder,
       converter_(options) {
   CHECK(reader_ != nullptr);
   CHECK_EQ(folder_.names.size(), folder_.stamps_ns.size());
+  if (!folder_.stamp_doubt.empty()) warnings_.push_back(folder_.stamp_doubt);
+  warnings_.insert(warnings_.end(), folder_.warnings.begin(), folder_.warnings.end());
 }
 
-ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
+ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
   if (next_ == folder_.names.size()) return Status::kEnd;
-  const std::filesystem::path file = folder_.File(next_);
   scan->stamp_ns = folder_.stamps_ns[next_];
   scan->radar = 0;
   scan->has_doppler = false;
   scan->is_planar = false;
   scan->returns.clear();
-  scan->place = file.string();
+  scan->place = folder_.File(next_).string();
   ++next_;
-
-  std::string reason;
-  if (!ReadWholeFile(file, &content_, &reason)) {
-    warnings_.push_back(reason + "; taken as an empty scan");
-    return Status::kScan;
-  }
-  PointTable table;
-  std::vector<std::string> remarks;
-  if (!reader_->Read(content_, scan->stamp_ns, &table, &remarks, &reason) ||
-      !converter_.Convert(table, scan, &reason)) {
-    warnings_.push_back(scan->place + ": " + reason + "; taken as an empty scan");
-  }
-  for (const std::string& remark : remarks) warnings_.push_back(scan->place + ": " + remark);
   return Status::kScan;
 }
 
-ScanSource::Status PointFolderSource::Skip(int count) {
-  const std::size_t left = folder_.names.size() - next_;
-  const std::size_t wanted = static_cast<std::size_t>(std::max(count, 0));
-  next_ += std::min(left, wanted);
-  return wanted <= left ? Status::kScan : Status::kEnd;
+bool PointFolderSource::ReadReturns(RadarScan* scan,
+                                    std::vector<std::string>* remarks,
+                                    std::string* reason) {
+  if (!ReadWholeFile(scan->place, &content_, reason)) return false;
+  PointTable table;
+  if (reader_->Read(content_, scan->stamp_ns, &table, remarks, reason) &&
+      converter_.Convert(table, scan, reason)) {
+    return true;
+  }
+  *reason = scan->place + ": " + *reason;
+  return false;
+}
+
+bool PointFolderSource::CanReadOneOfTheNext() {
+  const std::size_t next = next_;
+  bool can_read = false;
+  for (std::size_t i = 1; i < kFirstScans && !can_read; ++i) {
+    RadarScan scan;
+    if (PassOver(&scan) == Status::kEnd) break;
+    std::vector<std::string> remarks;
+    std::string reason;
+    can_read = ReadReturns(&scan, &remarks, &reason);
+  }
+  next_ = next;
+  return can_read;
+}
+
+ScanSource::Status PointFolderSource::Next(RadarScan* scan) {
+  if (PassOver(scan) == Status::kEnd) return Status::kEnd;
+  std::vector<std::string> remarks;
+  std::string reason;
+  if (!ReadReturns(scan, &remarks, &reason)) {
+    if (!has_looked_ && !CanReadOneOfTheNext()) {
+      error_ = reason;
+      const std::size_t num_others = std::min(folder_.names.size() - next_, kFirstScans - 1);
+      if (num_others > 0) {
+        error_ += "; nor can the " + std::to_string(num_others) + " files behind it be read";
+      }
+      return Status::kError;
+    }
+    warnings_.push_back(reason + "; taken as an empty scan");
+    scan->returns.clear();
+  }
+  has_looked_ = true;
+  for (const std::string& remark : remarks) warnings_.push_back(scan->place + ": " + remark);
+  return Status::kScan;
 }
 
 std::string PointFolderSource::Description() const {

@@ -34,7 +34,8 @@ class PointFileReader {
 };
 
 // A folder with one file of points a scan, of any format. A file that cannot be read becomes an
-// empty scan and a warning, because every scan of the drive gets its line in the trajectory.
+// empty scan and a warning, because every scan of the drive gets its line in the trajectory. When
+// none of the first files can be read, that is an error.
 class PointFolderSource : public ScanSource {
  public:
   // `options` must be valid; `format` for reports: "raw float32 scans (xyz3)".
@@ -44,18 +45,22 @@ class PointFolderSource : public ScanSource {
                     std::string format);
 
   Status Next(RadarScan* scan) override;
-  Status Skip(int count) override;
+  Status PassOver(RadarScan* scan) override;
   std::string Description() const override;
   std::optional<int> NumScans() const override;
   SourceFacts Facts() const override;
 
  private:
+  bool ReadReturns(RadarScan* scan, std::vector<std::string>* remarks, std::string* reason);
+  bool CanReadOneOfTheNext();
+
   const ScanFolder folder_;
   const std::unique_ptr<PointFileReader> reader_;
   const std::string format_;
   PointConverter converter_;
   std::size_t next_ = 0;
-  std::string content_;  // of one file, kept for its memory
+  std::string content_;      // of one file, kept for its memory
+  bool has_looked_ = false;  // whether the files can be read at all
 };
 
 }  // namespace radive

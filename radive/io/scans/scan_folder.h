@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +29,11 @@ struct ScanFolderQuery {
   // False: any name will do.
   bool names_are_stamps = false;
 
-  // Scans a second [Hz], where neither times.txt nor the names give stamps.
-  double rate = 10.0;
+  // Scans per second [Hz], where neither times.txt nor the names give stamps; 0: not known.
+  double rate = 0.0;
+
+  // Says whether a file holds points, where its name does not; null: all do.
+  std::function<bool(const std::filesystem::path& file)> holds_points;
 
   // Looks in this folder alone, as the user names it: of the input, or anywhere below.
   void LookOnlyIn(const std::string& folder) {
@@ -44,6 +48,8 @@ struct ScanFolder {
   std::vector<std::string> names;       // of the files, numbers in them in the order of their value
   std::vector<std::int64_t> stamps_ns;  // one a file [ns]
   std::string stamp_origin;             // for the log: "times.txt", "file names", "10 Hz"
+  std::string stamp_doubt;              // a warning on the stamps; empty: none
+  std::vector<std::string> warnings;    // on the files
   bool stamps_are_positions = false;    // position / rate, for want of anything better
 
   std::filesystem::path File(std::size_t index) const { return path / names[index]; }
@@ -52,12 +58,13 @@ struct ScanFolder {
 // Finds the folder with the scans of the drive `root`, lists them and finds their stamps:
 // 1. times.txt or timestamps.txt beside the scans, in the folder above them or in `root`: one stamp
 //    a scan, see ReadStampFile(); or the first column of ref_poses.txt there (Doppler-ICP);
-// 2. the names, if all are stamps, see StampOfStem();
-// 3. position / rate.
-// Hidden files are left out. `root` may be one scan file as well. Nothing, with the place and what
-// was expected there in `error`, when `root` is no folder, there are no scans or several folders
-// with scans, when the number of lines of the file of stamps is not that of the scans, or when
-// every scan is a Git-LFS pointer.
+// 2. the names, if all hold stamps, see StampsOfNames(); the scans are then in their order;
+// 3. position / rate, where a number that is missing in the names keeps its place; a rate that is
+// not known is kAssumedRate, with a warning. Hidden files are left out, and with a warning what is
+// no scan, see TakeOutForeign(). `root` may be one scan file as well. Nothing, with the place and
+// what was expected there in `error`, when `root` is no folder, there are no scans or several
+// folders with scans, when the number of lines of the file of stamps is not that of the scans, or
+// when every scan is a Git-LFS pointer.
 std::optional<ScanFolder> OpenScanFolder(const std::filesystem::path& root,
                                          const ScanFolderQuery& query,
                                          std::string* error);
@@ -66,7 +73,8 @@ std::optional<ScanFolder> OpenScanFolder(const std::filesystem::path& root,
 // another (in even steps); empty when they do.
 std::string WhyNotConsecutive(const std::vector<std::string>& names);
 
-// Names of the files in `folder` that end in `extension`, hidden ones left out, numbers in them in
+// Names of the files in `folder` that end in `extension` (lower case; that of the names does not
+// matter), hidden ones left out, numbers in them in
 // the order of their value; none if there is no such folder. False, with the reason in `error`,
 // when the folder cannot be listed.
 bool ListFiles(const std::filesystem::path& folder,

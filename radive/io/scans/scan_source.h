@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,7 +25,7 @@ namespace radive {
 class ScanSource {
  public:
   enum class Status {
-    kScan,   // *scan is the next scan, in stamp order; it may be empty
+    kScan,   // *scan is the next scan, in stored order; it may be empty
     kEnd,    // the drive is over
     kError,  // the drive cannot be read any further: error() says file, place and expectation
   };
@@ -33,14 +34,20 @@ class ScanSource {
 
   virtual Status Next(RadarScan* scan) = 0;
 
+  // As Next(), but only the stamp and the place of the scan are needed: sources that can seek do
+  // not read the returns, so warnings on these are not raised either.
+  virtual Status PassOver(RadarScan* scan) { return Next(scan); }
+
+  // When the scan given last was recorded, where the container says so [ns].
+  virtual std::optional<std::int64_t> record_ns() const { return std::nullopt; }
+
   // Passes over the next `count` scans, as if they had been read; stamps and numbering of the
   // scans behind them stay those of the whole drive. kScan: all were passed over (the next one may
-  // be the end); kEnd: the drive was over before; kError: as Next(). Sources that can seek do not
-  // read the scans, so their warnings are not raised either.
+  // be the end); kEnd: the drive was over before; kError: as Next().
   virtual Status Skip(int count) {
     RadarScan dropped;
     for (int i = 0; i < count; ++i) {
-      const Status status = Next(&dropped);
+      const Status status = PassOver(&dropped);
       if (status != Status::kScan) return status;
     }
     return Status::kScan;

@@ -3,6 +3,7 @@
 
 #include "radive/io/scans/scan_stamps.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <system_error>
@@ -10,8 +11,86 @@
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
+namespace {
+
+using Texts = std::vector<std::string_view>;
+
+struct Lines {
+  std::vector<int> numbers;
+  Texts texts;
+};
+
+bool IsStamp(std::string_view text) { return ParseDouble(text) || ParseDate(text); }
+
+Texts Columns(std::string_view line) {
+  constexpr std::string_view kSeparators = " \t,;";
+  Texts columns;
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find_first_of(kSeparators), line.size());
+    if (end > 0) columns.push_back(line.substr(0, end));
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return columns;
+}
+
+// The lines that may hold stamps.
+Lines LinesOf(std::string_view text, bool is_trajectory) {
+  Lines lines;
+  TextLines all(text);
+  bool is_first = true;
+  for (std::string_view line; all.Next(&line);) {
+    line = TrimBlanks(line);
+    if (line.empty() || line.front() == '#') continue;
+    if (is_trajectory) line = line.substr(0, line.find_first_of(" \t"));
+    const Texts columns = Columns(line);
+    const bool is_header = is_first && !is_trajectory && !ParseDate(line) &&
+                           std::none_of(columns.begin(), columns.end(), IsStamp);
+    is_first = false;
+    if (is_header) continue;
+    lines.numbers.push_back(all.number());
+    lines.texts.push_back(line);
+  }
+  return lines;
+}
+
+// Seconds since 1970 and nanoseconds within them.
+bool AreSecondsAndNanoseconds(const Texts& seconds, const Texts& nanoseconds) {
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const auto s = ParseCount(seconds[i]);
+    const auto ns = ParseCount(nanoseconds[i]);
+    if (!s || !ns || *s < 100'000'000 || *s > 9'223'372'035 || *ns >= 1'000'000'000) return false;
+  }
+  return !seconds.empty();
+}
+
+// Of several columns: the stamps. Nothing when no column holds any, or several do.
+std::optional<StampSequence> StampsOfColumns(const std::vector<Texts>& columns, double rate) {
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+    if (!AreSecondsAndNanoseconds(columns[i], columns[i + 1])) continue;
+    StampSequence sequence;
+    sequence.unit = "s and ns";
+    for (std::size_t k = 0; k < columns[i].size(); ++k) {
+      sequence.stamps_ns.push_back(*ParseInteger(columns[i][k]) * 1'000'000'000 +
+                                   *ParseInteger(columns[i + 1][k]));
+    }
+    return sequence;
+  }
+  std::optional<StampSequence> found;
+  std::size_t bad = 0;
+  for (const Texts& column : columns) {
+    std::optional<StampSequence> sequence = ReadStampSequence(column, rate, &bad);
+    if (!sequence || sequence->rate_is_used || !sequence->doubt.empty()) continue;
+    if (found) return std::nullopt;
+    found = std::move(sequence);
+  }
+  return found;
+}
+
+}  // namespace
+
 std::optional<std::int64_t> ParseInteger(std::string_view text) {
   std::int64_t value = 0;
   const char* const end = text.data() + text.size();
@@ -20,72 +99,50 @@ std::optional<std::int64_t> ParseInteger(std::string_view text) {
   return value;
 }
 
-bool ParseStampLines(std::string_view text,
-                     bool is_trajectory,
-                     const std::string& place,
-                     std::vector<std::int64_t>* stamps_ns,
-                     std::string* error) {
-  struct Entry {
-    int line;
-    std::string_view text;
+std::optional<StampSequence> ParseStampLines(std::string_view text,
+                                             bool is_trajectory,
+                                             double rate,
+                                             const std::string& place,
+                                             std::string* error) {
+  const Lines lines = LinesOf(text, is_trajectory);
+  const auto fail = [&](std::size_t line) {
+    *error = place + ":" + std::to_string(lines.numbers[line]) +
+             ": expected one stamp per line, a number in s, ms, us or ns, or a date, found " +
+             Quoted(lines.texts[line]);
+    return std::nullopt;
   };
-  std::vector<Entry> entries;
-  bool are_seconds = is_trajectory;
-  TextLines lines(text);
-  for (std::string_view line; lines.Next(&line);) {
-    line = TrimBlanks(line);
-    if (line.empty() || line.front() == '#') continue;
-    if (is_trajectory) line = line.substr(0, line.find_first_of(" \t"));
-    are_seconds = are_seconds || line.find_first_of(".eE") != std::string_view::npos;
-    entries.push_back({lines.number(), line});
-  }
-  stamps_ns->clear();
-  for (const Entry& entry : entries) {
-    const std::optional<std::int64_t> stamp =
-        are_seconds ? ParseStamp(entry.text) : ParseInteger(entry.text);
-    if (!stamp) {
-      *error = place + ":" + std::to_string(entry.line) +
-               ": expected one stamp, integer nanoseconds or decimal seconds, found " +
-               Quoted(entry.text);
-      return false;
+  std::size_t bad = 0;
+  if (is_trajectory) {
+    StampSequence sequence;
+    sequence.unit = "s";
+    for (; bad < lines.texts.size(); ++bad) {
+      const std::optional<std::int64_t> stamp = ParseStamp(lines.texts[bad]);
+      if (!stamp) return fail(bad);
+      sequence.stamps_ns.push_back(*stamp);
     }
-    stamps_ns->push_back(*stamp);
+    return sequence;
   }
-  return true;
+  std::optional<StampSequence> sequence = ReadStampSequence(lines.texts, rate, &bad);
+  if (sequence) return sequence;
+  const std::size_t num_columns = Columns(lines.texts.front()).size();
+  if (num_columns < 2) return fail(bad);
+  std::vector<Texts> columns(num_columns);
+  for (std::size_t i = 0; i < lines.texts.size(); ++i) {
+    const Texts cells = Columns(lines.texts[i]);
+    if (cells.size() != num_columns) return fail(i);
+    for (std::size_t k = 0; k < num_columns; ++k) columns[k].push_back(cells[k]);
+  }
+  sequence = StampsOfColumns(columns, rate);
+  if (!sequence) return fail(bad);
+  return sequence;
 }
 
-bool ReadStampFile(const std::filesystem::path& path,
-                   std::vector<std::int64_t>* stamps_ns,
-                   std::string* error) {
+std::optional<StampSequence> ReadStampFile(const std::filesystem::path& path,
+                                           double rate,
+                                           std::string* error) {
   std::string text;
-  const bool is_trajectory = path.filename() == "ref_poses.txt";
-  return ReadWholeFile(path, &text, error) &&
-         ParseStampLines(text, is_trajectory, path.string(), stamps_ns, error);
-}
-
-std::optional<std::int64_t> StampOfStem(std::string_view stem) {
-  if (stem.empty() || stem.front() < '1' || stem.front() > '9') return std::nullopt;
-  if (const std::size_t point = stem.find('.'); point != std::string_view::npos) {
-    if (stem.size() - point != 10 || stem.find_first_not_of("0123456789.") != stem.npos) {
-      return std::nullopt;
-    }
-    return ParseStamp(stem);
-  }
-  const std::optional<std::int64_t> value = ParseInteger(stem);
-  if (!value) return std::nullopt;
-  switch (stem.size()) {
-    case 18:
-    case 19:
-      return *value;
-    case 15:
-    case 16:
-      return ParseStamp(stem, -6);
-    case 12:
-    case 13:
-      return ParseStamp(stem, -3);
-    default:
-      return std::nullopt;
-  }
+  if (!ReadWholeFile(path, &text, error)) return std::nullopt;
+  return ParseStampLines(text, path.filename() == "ref_poses.txt", rate, path.string(), error);
 }
 
 }  // namespace radive

@@ -10,31 +10,28 @@
 #include <string_view>
 #include <vector>
 
+#include "radive/io/scans/stamp_sequence.h"
+
 namespace radive {
 
 // An integer without sign, point or exponent, apart from a leading minus. Nothing otherwise.
 std::optional<std::int64_t> ParseInteger(std::string_view text);
 
-// Reads a file with one stamp a line into `stamps_ns` [ns]; what follows the stamp after a blank is
-// not looked at in ref_poses.txt, a trajectory. Integers are nanoseconds; as soon as
-// one line of the file has a decimal point or an exponent, all lines are seconds. Empty lines and
-// lines that start with # are left out. False, with file, line and expectation in `error`, when the
-// file cannot be read or a line is something else.
-bool ReadStampFile(const std::filesystem::path& path,
-                   std::vector<std::int64_t>* stamps_ns,
-                   std::string* error);
+// Reads a file with one stamp per line, in the unit that ReadStampSequence() finds. Of lines with
+// several columns those with the stamps are found: an index or the like beside them does not
+// matter, and seconds and nanoseconds may be apart. ref_poses.txt is a trajectory: seconds, and
+// what follows the first blank is not looked at. Empty lines, lines that start with # and a header
+// in the first line are left out. `rate` is for counters. Nothing, with file, line and expectation
+// in `error`, when the file cannot be read or a line is something else.
+std::optional<StampSequence> ReadStampFile(const std::filesystem::path& path,
+                                           double rate,
+                                           std::string* error);
 
 // The same with the text of such a file; `place` stands for its name in messages.
-bool ParseStampLines(std::string_view text,
-                     bool is_trajectory,
-                     const std::string& place,
-                     std::vector<std::int64_t>* stamps_ns,
-                     std::string* error);
-
-// The time that the name of a scan file stands for: 18 or 19 digits are nanoseconds, 15 or 16
-// microseconds, 12 or 13 milliseconds since an epoch; SECONDS.NANOSECONDS with all nine digits are
-// that. Nothing for other names, and for numbers with leading zeros, which are positions. `stem` is
-// the name without its extension.
-std::optional<std::int64_t> StampOfStem(std::string_view stem);
+std::optional<StampSequence> ParseStampLines(std::string_view text,
+                                             bool is_trajectory,
+                                             double rate,
+                                             const std::string& place,
+                                             std::string* error);
 
 }  // namespace radive

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "radive/geometry/roll_pitch_yaw.h"
@@ -19,9 +20,7 @@ namespace radive {
 namespace {
 
 using Names = std::vector<std::string_view>;
-
-// How far the squared length of a quaternion in a file may be from 1.
-constexpr double kUnitTolerance = 0.01;
+using Words = std::vector<std::string>;
 
 // Position of the first column that has one of these names; -1: there is none.
 int Find(const Names& columns, std::initializer_list<std::string_view> names) {
@@ -43,7 +42,8 @@ std::vector<int> NeededColumns(const PoseColumns& columns) {
   const auto add = [&needed](const auto& group) {
     std::copy_if(group.begin(), group.end(), std::back_inserter(needed), &IsThere);
   };
-  add(std::array<int, 1>{columns.stamp});
+  add(std::array<int, 2>{columns.stamp, columns.nanoseconds});
+  add(columns.matrix);
   add(columns.position);
   add(columns.quaternion);
   add(columns.angles);
@@ -56,18 +56,27 @@ Eigen::Matrix3d RotationOfAngles(const std::array<double, 3>& angles, bool are_p
   return are_passive ? Eigen::Matrix3d(rotation.transpose()) : rotation;
 }
 
-bool SetStamp(std::string_view text, int exponent, RecordedPose* pose) {
-  const int unit = LooksLikeNanoseconds(text) && exponent == 0 ? -9 : exponent;
+bool SetStamp(const Words& words, const PoseColumns& columns, RecordedPose* pose) {
+  const std::string& text = words[static_cast<std::size_t>(columns.stamp)];
+  const bool counts_nanoseconds = !columns.has_stamp_unit && columns.stamp_exponent == 0 &&
+                                  !IsThere(columns.nanoseconds) && LooksLikeNanoseconds(text);
+  const int unit = counts_nanoseconds ? -9 : columns.stamp_exponent;
   const std::optional<std::int64_t> stamp_ns = ParseStamp(text, unit);
   const std::optional<double> value = ParseFinite(text);
   if (!stamp_ns || !value) return false;
   pose->stamp_ns = *stamp_ns;
   pose->stamp_s = unit == 0 ? *value : *value / std::pow(10.0, -unit);
+  if (!IsThere(columns.nanoseconds)) return true;
+  const auto rest = ParseStamp(words[static_cast<std::size_t>(columns.nanoseconds)], -9);
+  if (!rest || *rest < 0 || *rest >= 1'000'000'000) return false;
+  if (pose->stamp_ns > std::numeric_limits<std::int64_t>::max() - *rest) return false;
+  pose->stamp_ns += *rest;
+  pose->stamp_s = StampSeconds(pose->stamp_ns);
   return true;
 }
 
 // One line to a pose; its columns are there. False when one is no finite number, which `bad` is.
-bool SetPose(const Names& words, const PoseColumns& columns, RecordedPose* pose, int* bad) {
+bool SetPose(const Words& words, const PoseColumns& columns, RecordedPose* pose, int* bad) {
   const auto value = [&](int column) {
     if (column < 0) return 0.0;
     const std::optional<double> number = ParseFinite(words[static_cast<std::size_t>(column)]);
@@ -78,69 +87,30 @@ bool SetPose(const Names& words, const PoseColumns& columns, RecordedPose* pose,
   const std::array<int, 3>& p = columns.position;
   pose->T_world_body.translation << value(p[0]), value(p[1]), value(p[2]);
   const std::array<int, 4>& q = columns.quaternion;
-  if (IsThere(q[0])) {
+  if (IsThere(columns.matrix[0])) {
+    Eigen::Matrix<double, 3, 4> rows;
+    for (int i = 0; i < 12; ++i) {
+      rows(i / 4, i % 4) = value(columns.matrix[static_cast<std::size_t>(i)]);
+    }
+    pose->T_world_body.rotation = rows.leftCols<3>();
+    pose->T_world_body.translation = rows.col(3);
+  } else if (IsThere(q[0])) {
     pose->T_world_body.rotation =
         RotationOfQuaternion(value(q[3]), value(q[0]), value(q[1]), value(q[2]));
   } else {
     const std::array<int, 3>& a = columns.angles;
-    pose->T_world_body.rotation =
-        RotationOfAngles({value(a[0]), value(a[1]), value(a[2])}, columns.angles_are_passive);
+    pose->T_world_body.rotation = RotationOfAngles({columns.angle_unit * value(a[0]),
+                                                    columns.angle_unit * value(a[1]),
+                                                    columns.angle_unit * value(a[2])},
+                                                   columns.angles_are_passive);
   }
-  if (IsThere(columns.stamp) &&
-      !SetStamp(words[static_cast<std::size_t>(columns.stamp)], columns.stamp_exponent, pose)) {
-    *bad = columns.stamp;
-  }
+  if (*bad < 0 && IsThere(columns.stamp) && !SetStamp(words, columns, pose)) *bad = columns.stamp;
   return *bad < 0;
 }
 
 bool IsContent(std::string_view line) {
   const std::size_t first = line.find_first_not_of(kColumnSeparators);
-  return first != std::string_view::npos && line[first] != '#';
-}
-
-std::optional<PoseColumns> ColumnsByName(const Names& names) {
-  PoseColumns columns;
-  columns.stamp = Find(names, {"timestamp", "time", "t", "stamp", "sec", "t_ns"});
-  columns.position = {Find(names, {"x", "tx", "px", "p_x", "pos_x"}),
-                      Find(names, {"y", "ty", "py", "p_y", "pos_y"}),
-                      Find(names, {"z", "tz", "pz", "p_z", "pos_z"})};
-  columns.quaternion = {Find(names, {"qx", "q_x", "q_rs_x"}),
-                        Find(names, {"qy", "q_y", "q_rs_y"}),
-                        Find(names, {"qz", "q_z", "q_rs_z"}),
-                        Find(names, {"qw", "q_w", "q_rs_w"})};
-  if (NeededColumns(columns).size() != 8) return std::nullopt;
-  return columns;
-}
-
-// The first column behind the position with which four begin that have length 1 in all lines.
-std::optional<PoseColumns> ColumnsByNumbers(std::string_view text) {
-  std::vector<bool> can_begin;
-  TextLines lines(text);
-  for (std::string_view line; lines.Next(&line);) {
-    if (!IsContent(line)) continue;
-    const Names words = SplitColumns(line);
-    if (can_begin.empty()) can_begin.assign(words.size(), true);
-    for (std::size_t i = 0; i < can_begin.size(); ++i) {
-      double squared_length = 0.0;
-      for (std::size_t k = i; k < i + 4; ++k) {
-        const std::optional<double> number =
-            k < words.size() ? ParseFinite(words[k]) : std::nullopt;
-        squared_length += number ? *number * *number : HUGE_VAL;
-      }
-      if (!(std::abs(squared_length - 1.0) < kUnitTolerance)) can_begin[i] = false;
-    }
-  }
-  constexpr std::size_t kBehindPosition = 4;
-  for (std::size_t i = kBehindPosition; i < can_begin.size(); ++i) {
-    if (!can_begin[i]) continue;
-    const int q = static_cast<int>(i);
-    PoseColumns columns;
-    columns.stamp = 0;
-    columns.position = {1, 2, 3};
-    columns.quaternion = {q, q + 1, q + 2, q + 3};
-    return columns;
-  }
-  return std::nullopt;
+  return first != std::string_view::npos && line[first] != '#' && line[first] != '%';
 }
 
 }  // namespace
@@ -174,32 +144,25 @@ PoseColumns ColoRadarColumns() {
   return columns;
 }
 
-std::optional<PoseColumns> FindPoseColumns(std::string_view text,
-                                           const std::string& place,
-                                           std::string* error) {
-  TextLines lines(text);
-  std::string_view first;
-  while (lines.Next(&first) && SplitColumns(first).empty()) {
+std::vector<std::string> SplitPoseLine(std::string_view line, char delimiter) {
+  std::vector<std::string> words;
+  if (delimiter == '\0') {
+    for (const std::string_view word : SplitColumns(line)) words.emplace_back(word);
+    return words;
   }
-  if (HoldsNamesOnly(first)) {
-    std::optional<PoseColumns> columns = ColumnsByName(SplitColumns(first));
-    if (columns) {
-      columns->has_names = IsContent(first);
-      return columns;
-    }
-    if (IsContent(first)) {
-      *error = place + ":" + std::to_string(lines.number()) +
-               ": expected the names of the columns, among them a stamp, x y z and qx qy qz qw, "
-               "found " +
-               Quoted(first);
-      return std::nullopt;
+  if (delimiter == ' ') {
+    for (std::string_view word = TakeWord(&line); !word.empty(); word = TakeWord(&line)) {
+      words.emplace_back(word);
     }
   }
-  if (const std::optional<PoseColumns> columns = ColumnsByNumbers(text)) return columns;
-  *error = place +
-           ": expected lines 't x y z qx qy qz qw', perhaps with other columns between, but no "
-           "four columns in a row behind the first four have length 1 in all lines";
-  return std::nullopt;
+  while (delimiter != ' ') {
+    const std::size_t end = line.find(delimiter);
+    words.emplace_back(TrimBlanks(line.substr(0, end)));
+    if (end == std::string_view::npos) break;
+    line.remove_prefix(end + 1);
+  }
+  for (std::string& word : words) std::replace(word.begin(), word.end(), ',', '.');
+  return words;
 }
 
 bool ParsePoseTable(std::string_view text,
@@ -216,7 +179,7 @@ bool ParsePoseTable(std::string_view text,
   for (std::string_view line; lines.Next(&line);) {
     if (!IsContent(line)) continue;
     if (std::exchange(is_names, false)) continue;
-    const Names words = SplitColumns(line);
+    const Words words = SplitPoseLine(line, columns.delimiter);
     const std::string where = place + ":" + std::to_string(lines.number());
     if (words.size() < num_needed) {
       *error = where + ": expected at least " + std::to_string(num_needed) + " columns, found " +
@@ -225,8 +188,10 @@ bool ParsePoseTable(std::string_view text,
     }
     int bad = -1;
     if (!SetPose(words, columns, &poses->emplace_back(), &bad)) {
-      *error = where + ": expected a finite number in column " + std::to_string(bad + 1) +
-               ", found " + Quoted(words[static_cast<std::size_t>(bad)]);
+      *error = where + ": expected " +
+               (bad == columns.stamp ? "a stamp within 292 years of zero" : "a finite number") +
+               " in column " + std::to_string(bad + 1) + ", found " +
+               Quoted(words[static_cast<std::size_t>(bad)]);
       return false;
     }
   }

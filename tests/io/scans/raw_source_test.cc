@@ -21,6 +21,12 @@ using ::testing::HasSubstr;
 using testing::ReadAll;
 using testing::TempFolder;
 
+InputOptions AtTenHertz() {
+  InputOptions options;
+  options.rate = 10.0;
+  return options;
+}
+
 class RawSourceTest : public ::testing::Test {
  protected:
   RawSourceTest() { options_.layout = "xyz3"; }
@@ -39,7 +45,7 @@ class RawSourceTest : public ::testing::Test {
   }
 
   TempFolder folder_;
-  InputOptions options_;
+  InputOptions options_ = AtTenHertz();
   std::string error_;
 };
 
@@ -125,6 +131,15 @@ TEST_F(RawSourceTest, StampsAreThePositionOverTheRate) {
               ElementsAre(0, 66666667, 133333333, 200000000, 266666667, 333333333, 400000000));
 }
 
+TEST_F(RawSourceTest, ARateThatIsAssumedIsWarnedOf) {
+  for (int k = 0; k < 2; ++k) folder_.Write(std::to_string(k) + ".bin", Floats({1, 2, 3}));
+  options_.rate = 0.0;
+  const auto source = Open();
+  EXPECT_THAT(testing::Stamps(ReadAll(source.get())), ElementsAre(0, 100000000));
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre(HasSubstr("the scans have no stamps; 10 scans per second are assumed")));
+}
+
 TEST_F(RawSourceTest, TimesFileGivesTheStampsAsTheyAre) {
   for (int k = 0; k < 4; ++k) folder_.Write("radar/" + std::to_string(k) + ".bin", "");
   // A repeated stamp and one that goes back: passed on, odometry decides.
@@ -132,9 +147,10 @@ TEST_F(RawSourceTest, TimesFileGivesTheStampsAsTheyAre) {
   EXPECT_THAT(testing::Stamps(ReadAll(Open().get())),
               ElementsAre(100000000, 250000000, 250000000, 200000000));
   // The one beside the scans comes first.
-  folder_.Write("radar/times.txt", "5\n6\n7\n8\n");
+  folder_.Write("radar/times.txt", "100000005\n200000006\n300000007\n400000008\n");
   const auto source = Open();
-  EXPECT_THAT(testing::Stamps(ReadAll(source.get())), ElementsAre(5, 6, 7, 8));
+  EXPECT_THAT(testing::Stamps(ReadAll(source.get())),
+              ElementsAre(100000005, 200000006, 300000007, 400000008));
   EXPECT_THAT(source->Description(), HasSubstr("stamps from times.txt"));
 }
 

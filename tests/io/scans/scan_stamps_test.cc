@@ -72,38 +72,20 @@ TEST(ParseInteger, RefusesWhatIsNoInteger) {
   }
 }
 
-TEST(StampOfStem, TellsUnitsByTheNumberOfDigits) {
-  EXPECT_EQ(StampOfStem("1693922345123456789"), 1693922345123456789);
-  EXPECT_EQ(StampOfStem("1693922345123456"), 1693922345123456000);
-  EXPECT_EQ(StampOfStem("1693922345123"), 1693922345123000000);
-  EXPECT_EQ(StampOfStem("1706001762.099999905"), 1706001762099999905);
-  for (const char* text : {"",
-                           "000549",
-                           "0693922345123456789",
-                           "1693922345",
-                           "-169392234512",
-                           "1693922345.12",
-                           "1693922345.12345678x",
-                           "1.693922345.123456789",
-                           "9999999999999999",  // beyond the year 2262
-                           "9999999999999",
-                           "9999999999999999999"}) {
-    EXPECT_FALSE(StampOfStem(text)) << text;
-  }
-}
-
 class ReadStampFileTest : public ::testing::Test {
  protected:
   bool Read(const std::string& content) {
     folder_.Write("times.txt", content);
-    return ReadStampFile(folder_.path() / "times.txt", &stamps_, &error_);
+    const auto sequence = ReadStampFile(folder_.path() / "times.txt", kAssumedRate, &error_);
+    if (sequence) stamps_ = sequence->stamps_ns;
+    return sequence.has_value();
   }
   testing::TempFolder folder_;
   std::vector<std::int64_t> stamps_;
   std::string error_;
 };
 
-TEST_F(ReadStampFileTest, IntegersAreNanoseconds) {
+TEST_F(ReadStampFileTest, IntegersAreNanosecondsWhereNothingTells) {
   ASSERT_TRUE(Read("1693922345123456789\n0\n-5")) << error_;
   EXPECT_THAT(stamps_, ElementsAre(1693922345123456789, 0, -5));
 }
@@ -118,6 +100,21 @@ TEST_F(ReadStampFileTest, SaysFileAndLineOfWhatItCannotRead) {
   EXPECT_THAT(error_, HasSubstr((folder_.path() / "times.txt:3").string()));
   EXPECT_THAT(error_, HasSubstr("expected one stamp"));
   EXPECT_THAT(error_, HasSubstr("'0.2 0.3'"));
+}
+
+TEST_F(ReadStampFileTest, FindsTheStampsAmongTheColumns) {
+  const std::int64_t begin = 1700000000000000000;
+  for (const char* content :
+       {"0 1700000000.0\n1 1700000000.1\n2 1700000000.2\n",
+        "index,time\n0,1700000000.0\n1,1700000000.1\n2,1700000000.2\n",
+        "1700000000 0\n1700000000 100000000\n1700000000 200000000\n",
+        "timestamp\n1700000000000\n1700000000100\n1700000000200\n",
+        "2023-11-14 22:13:20.0\n2023-11-14 22:13:20.1\n2023-11-14 22:13:20.2"}) {
+    ASSERT_TRUE(Read(content)) << content << error_;
+    EXPECT_THAT(stamps_, ElementsAre(begin, begin + 100000000, begin + 200000000)) << content;
+  }
+  // Two clocks: which one is meant?
+  EXPECT_FALSE(Read("0.0 1700000000.0\n0.1 1700000000.1\n0.2 1700000000.2\n"));
 }
 
 TEST_F(ReadStampFileTest, NamesAnUnfetchedFile) {

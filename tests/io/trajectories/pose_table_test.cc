@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "radive/io/trajectories/find_pose_columns.h"
+
 namespace radive {
 namespace {
 
