@@ -23,11 +23,11 @@ namespace {
 
 using testing::FakeScanSource;
 using ::testing::HasSubstr;
+using testing::kForward;
 using testing::ReadFile;
 using testing::ScratchFolder;
 using testing::StaticScans;
 
-const Eigen::Vector3d kForward(8.0, 0.5, -0.2);
 constexpr std::array<const char*, 7> kFiles = {"trajectory_tum.txt",
                                                "trajectory_kitti.txt",
                                                "scans.csv",

@@ -47,10 +47,10 @@ Name NormalName(std::string_view raw) {
   return name;
 }
 
-using Names = std::vector<Name>;
+using NameList = std::vector<Name>;
 
 // The first column with one of `names`, or one that ends in _ and one of `ends`; -1: none.
-int Find(const Names& columns,
+int Find(const NameList& columns,
          const std::vector<std::string>& names,
          const std::vector<std::string>& ends = {}) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -94,7 +94,7 @@ std::optional<int> TakeTimeUnit(Name* name) {
   return exponent;
 }
 
-void FindStamp(const Names& names, PoseColumns* columns) {
+void FindStamp(const NameList& names, PoseColumns* columns) {
   const int seconds = Find(names, {"sec", "secs", "seconds"}, {"stamp_sec", "stamp_secs"});
   const int nanoseconds = Find(names,
                                {"nsec", "nsecs", "nanosec", "nanosecs", "nanoseconds"},
@@ -104,7 +104,7 @@ void FindStamp(const Names& names, PoseColumns* columns) {
     columns->nanoseconds = nanoseconds;
     return;
   }
-  Names without_units = names;
+  NameList without_units = names;
   std::vector<std::optional<int>> exponents;
   for (Name& name : without_units) exponents.push_back(TakeTimeUnit(&name));
   columns->stamp = Find(without_units,
@@ -118,7 +118,7 @@ void FindStamp(const Names& names, PoseColumns* columns) {
 }
 
 // Rotation matrices count from 0 or from 1.
-void FindMatrix(const Names& names, PoseColumns* columns) {
+void FindMatrix(const NameList& names, PoseColumns* columns) {
   for (const int first : {0, 1}) {
     std::array<int, 9> found;
     for (int i = 0; i < 9; ++i) {
@@ -134,7 +134,7 @@ void FindMatrix(const Names& names, PoseColumns* columns) {
   }
 }
 
-void FindAngles(Names names, PoseColumns* columns) {
+void FindAngles(NameList names, PoseColumns* columns) {
   std::string unit;
   for (Name& name : names) {
     for (const char* end : {"deg", "rad"}) {
@@ -184,7 +184,7 @@ std::vector<std::string_view> SplitNames(std::string_view line) {
 }
 
 std::optional<PoseColumns> ColumnsByName(const std::vector<std::string_view>& raw_names) {
-  Names names;
+  NameList names;
   for (const std::string_view name : raw_names) names.push_back(NormalName(name));
   PoseColumns columns;
   FindStamp(names, &columns);

@@ -30,18 +30,13 @@ std::string Bytes(std::initializer_list<int> values) {
   for (const int value : values) bytes += static_cast<char>(value);
   return bytes;
 }
-std::string U32(std::uint32_t value) {
-  std::string bytes;
-  AppendLittleEndian(value, &bytes);
-  return bytes;
-}
 std::string F32(float value) {
   std::string bytes;
   AppendLittleEndian(value, &bytes);
   return bytes;
 }
 std::string Text(const std::string& text) {
-  return U32(static_cast<std::uint32_t>(text.size())) + text;
+  return LittleEndian<std::uint32_t>(static_cast<std::uint32_t>(text.size())) + text;
 }
 
 // What differs from message to message.
@@ -56,14 +51,17 @@ struct Cloud2 {
   std::string data;
 
   void Add(const std::string& name, std::uint32_t offset, int datatype, std::uint32_t count = 1) {
-    fields += Text(name) + U32(offset) + Bytes({datatype}) + U32(count);
+    fields += Text(name) + LittleEndian<std::uint32_t>(offset) + Bytes({datatype}) +
+              LittleEndian<std::uint32_t>(count);
     ++num_fields;
   }
   // As ROS 1 writes it: 7 s and 8 ns, frame "fr".
   std::string Ros1() const {
-    return U32(9) + U32(7) + U32(8) + Text("fr") + U32(height) + U32(width) + U32(num_fields) +
-           fields + Bytes({is_big_endian ? 1 : 0}) + U32(point_step) + U32(row_step) + Text(data) +
-           Bytes({1});
+    return LittleEndian<std::uint32_t>(9) + LittleEndian<std::uint32_t>(7) +
+           LittleEndian<std::uint32_t>(8) + Text("fr") + LittleEndian<std::uint32_t>(height) +
+           LittleEndian<std::uint32_t>(width) + LittleEndian<std::uint32_t>(num_fields) + fields +
+           Bytes({is_big_endian ? 1 : 0}) + LittleEndian<std::uint32_t>(point_step) +
+           LittleEndian<std::uint32_t>(row_step) + Text(data) + Bytes({1});
   }
 };
 
@@ -113,13 +111,18 @@ TEST(PointCloud2, IsReadFromRos1) {
 // Strings end in NUL and numbers are aligned: worked out by hand from the fifth byte on.
 TEST(PointCloud2, IsReadFromCdr) {
   const std::string payload =
-      Bytes({0, 1, 0, 0}) + U32(7) + U32(8) + Text(std::string("fr\0", 3)) + Bytes({0}) +  // 16
-      U32(1) + U32(2) + U32(3) +                                                           // 28
-      Text(std::string("x\0", 2)) + Bytes({0, 0}) + U32(4) + Bytes({7, 0, 0, 0}) + U32(1) +
-      Text(std::string("y\0", 2)) + Bytes({0, 0}) + U32(0) + Bytes({7, 0, 0, 0}) + U32(1) +
-      Text(std::string("v_r\0", 4)) + U32(8) + Bytes({3, 0, 0, 0}) + U32(1) + Bytes({0, 0, 0, 0}) +
-      U32(12) + U32(24) + U32(24) + F32(5) + F32(6) + Bytes({0xFE, 0xFF, 9, 9}) + F32(7) + F32(8) +
-      Bytes({3, 0, 9, 9}) + Bytes({1});
+      Bytes({0, 1, 0, 0}) + LittleEndian<std::uint32_t>(7) + LittleEndian<std::uint32_t>(8) +
+      Text(std::string("fr\0", 3)) + Bytes({0}) +  // 16
+      LittleEndian<std::uint32_t>(1) + LittleEndian<std::uint32_t>(2) +
+      LittleEndian<std::uint32_t>(3) +  // 28
+      Text(std::string("x\0", 2)) + Bytes({0, 0}) + LittleEndian<std::uint32_t>(4) +
+      Bytes({7, 0, 0, 0}) + LittleEndian<std::uint32_t>(1) + Text(std::string("y\0", 2)) +
+      Bytes({0, 0}) + LittleEndian<std::uint32_t>(0) + Bytes({7, 0, 0, 0}) +
+      LittleEndian<std::uint32_t>(1) + Text(std::string("v_r\0", 4)) +
+      LittleEndian<std::uint32_t>(8) + Bytes({3, 0, 0, 0}) + LittleEndian<std::uint32_t>(1) +
+      Bytes({0, 0, 0, 0}) + LittleEndian<std::uint32_t>(12) + LittleEndian<std::uint32_t>(24) +
+      LittleEndian<std::uint32_t>(24) + F32(5) + F32(6) + Bytes({0xFE, 0xFF, 9, 9}) + F32(7) +
+      F32(8) + Bytes({3, 0, 9, 9}) + Bytes({1});
   const RadarScan scan = Read(payload, kCdrCloud2);
   ASSERT_EQ(scan.returns.size(), 2u);
   EXPECT_EQ(scan.returns[0].position, Eigen::Vector3d(6, 5, 0));
@@ -308,18 +311,23 @@ TEST(PointCloud2, AFieldBeyondTheRecordIsRefused) {
 
 // The start of a PointCloud with two points and two channels.
 std::string NamedChannels(const std::string& header) {
-  return header + U32(2) + F32(1) + F32(2) + F32(3) + F32(4) + F32(5) + F32(6) + U32(2);
+  return header + LittleEndian<std::uint32_t>(2) + F32(1) + F32(2) + F32(3) + F32(4) + F32(5) +
+         F32(6) + LittleEndian<std::uint32_t>(2);
 }
 
 TEST(PointCloud, ChannelsAreFoundByName) {
-  const std::string ros1 = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) + Text("Power") +
-                           U32(2) + F32(10) + F32(20) + Text("Doppler") + U32(2) + F32(-1.5F) +
-                           F32(2.5F);
-  const std::string cdr = NamedChannels(Bytes({0, 1, 0, 0}) + U32(7) + U32(8) +
+  const std::string ros1 =
+      NamedChannels(LittleEndian<std::uint32_t>(0) + LittleEndian<std::uint32_t>(7) +
+                    LittleEndian<std::uint32_t>(8) + Text("")) +
+      Text("Power") + LittleEndian<std::uint32_t>(2) + F32(10) + F32(20) + Text("Doppler") +
+      LittleEndian<std::uint32_t>(2) + F32(-1.5F) + F32(2.5F);
+  const std::string cdr = NamedChannels(Bytes({0, 1, 0, 0}) + LittleEndian<std::uint32_t>(7) +
+                                        LittleEndian<std::uint32_t>(8) +
                                         Text(std::string(1, '\0')) + Bytes({0, 0, 0})) +
-                          Text(std::string("Power\0", 6)) + Bytes({0, 0}) + U32(2) + F32(10) +
-                          F32(20) + Text(std::string("Doppler\0", 8)) + U32(2) + F32(-1.5F) +
-                          F32(2.5F);
+                          Text(std::string("Power\0", 6)) + Bytes({0, 0}) +
+                          LittleEndian<std::uint32_t>(2) + F32(10) + F32(20) +
+                          Text(std::string("Doppler\0", 8)) + LittleEndian<std::uint32_t>(2) +
+                          F32(-1.5F) + F32(2.5F);
   for (const auto& [payload, topic] : {std::pair(ros1, kRos1Cloud), std::pair(cdr, kCdrCloud)}) {
     const RadarScan scan = Read(payload, topic);
     ASSERT_EQ(scan.returns.size(), 2u);
@@ -335,8 +343,11 @@ TEST(PointCloud, ChannelsAreFoundByName) {
 }
 
 TEST(PointCloud, AChannelOfAnotherLengthIsAnError) {
-  const std::string payload = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) + Text("Doppler") +
-                              U32(1) + F32(1) + Text("Power") + U32(0);
+  const std::string payload =
+      NamedChannels(LittleEndian<std::uint32_t>(0) + LittleEndian<std::uint32_t>(7) +
+                    LittleEndian<std::uint32_t>(8) + Text("")) +
+      Text("Doppler") + LittleEndian<std::uint32_t>(1) + F32(1) + Text("Power") +
+      LittleEndian<std::uint32_t>(0);
   EXPECT_THAT(ErrorOf(payload, kRos1Cloud), HasSubstr("channel 'Doppler' has 1 values for 2"));
 }
 
@@ -351,8 +362,11 @@ TEST(PointCloudMessages, CutAtAnyByteIsAnError) {
     }
     EXPECT_EQ(Read(payload.substr(0, payload.size() - 1), topic).returns.size(), 3u);
   }
-  const std::string payload = NamedChannels(U32(0) + U32(7) + U32(8) + Text("")) + Text("Doppler") +
-                              U32(2) + F32(1) + F32(2) + Text("Power") + U32(2) + F32(3) + F32(4);
+  const std::string payload =
+      NamedChannels(LittleEndian<std::uint32_t>(0) + LittleEndian<std::uint32_t>(7) +
+                    LittleEndian<std::uint32_t>(8) + Text("")) +
+      Text("Doppler") + LittleEndian<std::uint32_t>(2) + F32(1) + F32(2) + Text("Power") +
+      LittleEndian<std::uint32_t>(2) + F32(3) + F32(4);
   for (std::size_t size = 0; size < payload.size(); ++size) {
     EXPECT_NE(ErrorOf(payload.substr(0, size), kRos1Cloud), "") << size;
   }
