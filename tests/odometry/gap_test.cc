@@ -138,11 +138,11 @@ TEST(Gap, WhatStandsElsewhereIsLost) {
   road.Drive(0.0, 0.0, kRoadSpeed, 21);
   double time = 2.0, x = 16.0;
   for (double speed = kRoadSpeed - 1.0; speed >= 0.0; speed -= 1.0) {
-    time += kInterval;
-    x += kInterval * (speed + 0.5);
+    time += kScanInterval;
+    x += kScanInterval * (speed + 0.5);
     road.See(time, x, speed);
   }
-  road.Drive(time + kInterval, x, 0.0, 11);
+  road.Drive(time + kScanInterval, x, 0.0, 11);
   const OdometryResult behind = road.See(602.1, 300.0, 0.0);
   EXPECT_EQ(behind.status, Status::kPredicted);
   EXPECT_GT(std::sqrt(behind.covariance(3, 3)), 300.0);
