@@ -175,6 +175,15 @@ TEST_F(RadiveOdometry, SaysWhatIsWrong) {
   fails_with({"--output=" + In("file").string()}, "must be a folder");
 }
 
+TEST_F(RadiveOdometry, NoticesAFullStandardOutput) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this machine";
+  for (const char* flag : {"--help", "--help_config", "--version"}) {
+    int status = 0;
+    waitpid(Start({flag}, "/dev/full"), &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), Code(ExitStatus::kFailure)) << flag;
+  }
+}
+
 TEST_F(RadiveOdometry, HelpIsShortAndHelpConfigIsComplete) {
   const Outcome help = RunProgram({"--help"});
   EXPECT_EQ(help.code, 0);

@@ -236,6 +236,28 @@ TEST(RunSequence, AnInterruptedRunFinishesItsFiles) {
   EXPECT_EQ(RunJson(scratch.path())["frames"], 5);
 }
 
+// One pose gives no scores, which is no failure of a run that somebody stopped.
+TEST(RunSequence, AnInterruptBeforeThereCanBeScoresIsNoFailure) {
+  const ScratchFolder scratch;
+  std::ofstream(scratch.path() / "truth.txt") << "0 0 0 0 0 0 0 1\n1 8 0 0 0 0 0 1\n";
+  RunConfig config;
+  config.input.doppler_sign = InputOptions::DopplerSign::kPlus;  // so that no scan is held back
+  for (const std::size_t num_scans : {0, 1}) {
+    std::atomic<bool> stop{num_scans == 0};
+    RunRequest request = RequestFor(scratch.path() / "results");
+    request.reference = (scratch.path() / "truth.txt").string();
+    request.stop = &stop;
+    FakeScanSource source(StaticScans(12, kForward, 1.0));
+    source.before_next = [&stop](std::size_t) { stop = true; };
+    std::string error;
+    EXPECT_EQ(RunSequence(config, request, &source, &error), RunStatus::kInterrupted) << error;
+    // Without any scan, earlier results are worth more.
+    EXPECT_EQ(std::filesystem::exists(scratch.path() / "results" / "run.json"), num_scans == 1);
+  }
+  EXPECT_THAT(RunJson(scratch.path() / "results")["warnings"].dump(),
+              ::testing::HasSubstr("truth.txt"));
+}
+
 TEST(RunSequence, ASourceThatBreaksLeavesWhatCameBefore) {
   const ScratchFolder scratch;
   FakeScanSource source(StaticScans(6, kForward, 1.0), "FILE.bin:6: expected whole records");

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -85,6 +87,25 @@ class ThreeScans : public ScanSource {
  private:
   int position_ = 0;
 };
+
+// A drive that is away says nothing of its scans: they are not empty.
+TEST(OpenScanSource, AFileThatIsGoneEndsTheDriveWithAnError) {
+  const TempFolder folder;
+  for (const char* name : {"000000.bin", "000001.bin"}) {
+    folder.Write(name, Floats({1.0, 2.0, 3.0}));
+  }
+  InputOptions options;
+  options.format = Format::kRaw;
+  options.layout = "xyz3";
+  std::string error;
+  const auto source = OpenScanSource(folder.string(), options, &error);
+  ASSERT_NE(source, nullptr) << error;
+  RadarScan scan;
+  ASSERT_EQ(source->Next(&scan), ScanSource::Status::kScan);
+  std::filesystem::remove(folder.path() / "000001.bin");
+  EXPECT_EQ(source->Next(&scan), ScanSource::Status::kError);
+  EXPECT_THAT(source->error(), AllOf(HasSubstr("000001.bin"), HasSubstr("No such file")));
+}
 
 TEST(ScanSource, SkipReadsAndDropsByDefault) {
   ThreeScans source;
