@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Checks that the files of a folder can be compiled as one (RADIVE_UNITY): names in unnamed namespaces differ.
+"""Checks that the files of a folder can be compiled as one (RADIVE_UNITY): their names differ.
 
-  scripts/check_unity.py               prints each name that two files of a folder define, exit status 1 if there is any
+  scripts/check_unity.py               prints each name that two files define, exit status 1 if any
   scripts/check_unity.py --self_test   checks the check
 
 Functions may have one name when their parameters differ, and aliases when they mean the same.
@@ -14,6 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
+SHARED = re.compile(r"^inline (?:constexpr|const) .*?\b(k[A-Z]\w*)\b", re.M)  # constants of the folder's headers
 UNNAMED = re.compile(r"^namespace \{\n(.*?)^\}  // namespace$", re.S | re.M)
 TYPE = re.compile(r"(?:enum class|enum|struct|class)\s+(\w+)")
 ALIAS = re.compile(r"(?:using|namespace)\s+(\w+)\s*=\s*([^;]*)")
@@ -30,6 +31,8 @@ def types_of(parameters):
 
 def definitions(text):
     """Yields what the unnamed namespaces of a file define, as (name, what tells overloads apart)."""
+    for name in SHARED.findall(text):
+        yield name, ("variable",)
     for body in UNNAMED.findall(text):
         body = re.sub(r"//[^\n]*", "", body)
         depth, statement = 0, ""
@@ -100,8 +103,9 @@ def main():
         return 0
     folders = collections.defaultdict(dict)
     for top in ("radive", "tests"):
-        for path in sorted((ROOT / top).rglob("*.cc")):
-            if "fuzz" not in path.parts:  # each a program of its own
+        for path in sorted((ROOT / top).rglob("*")):
+            # Each of fuzz is a program of its own.
+            if path.suffix in (".h", ".cc") and "fuzz" not in path.parts:
                 folders[path.parent.relative_to(ROOT)][path.name] = path.read_text()
     found = [(folder, *c) for folder, texts in folders.items() for c in clashes(texts)]
     for folder, name, first, second in found:
