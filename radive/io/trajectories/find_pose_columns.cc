@@ -18,7 +18,7 @@ namespace radive {
 namespace {
 
 // How far the squared length of a quaternion in a file may be from 1.
-constexpr double kUnitTolerance = 0.01;
+constexpr double kNormTolerance = 0.01;
 // ... and R R^T from the identity: files have few digits.
 constexpr double kRotationTolerance = 0.02;
 
@@ -97,7 +97,7 @@ bool InAllRows(const Table& table, std::size_t end, const Test& test) {
 bool IsUnit(const Table& table, std::size_t first) {
   return InAllRows(table, first + 4, [&](const std::vector<double>& row) {
     const double* q = row.data() + first;
-    return std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) < kUnitTolerance;
+    return std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) < kNormTolerance;
   });
 }
 

@@ -346,5 +346,24 @@ TEST_F(RawSourceTest, EmptyFolderSaysWhatWasLookedFor) {
                     HasSubstr("itself, radar/, velodyne/")));
 }
 
+// 4 and 7 are missing: the scans behind them keep their times.
+TEST_F(RawSourceTest, AMissingNumberKeepsItsTime) {
+  for (const int k : {2, 3, 5, 6, 8, 9}) folder_.Write(std::to_string(k) + ".bin", Floats({1, 2, 3}));
+  options_.rate = 10.0;
+  const auto source = Open();
+  EXPECT_THAT(testing::Stamps(ReadAll(source.get())),
+              ElementsAre(0, 100000000, 300000000, 400000000, 600000000, 700000000));
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre(HasSubstr("3.bin: 2 of the numbers in the file names are missing")));
+}
+
+TEST_F(RawSourceTest, ATimesFileThatLeadsNowhereIsAnError) {
+  for (const int k : {0, 1}) folder_.Write(std::to_string(k) + ".bin", Floats({1, 2, 3}));
+  std::filesystem::create_symlink("nowhere.txt", folder_.path() / "times.txt");
+  std::string error;
+  EXPECT_EQ(OpenRawSource(folder_.path(), options_, &error), nullptr);
+  EXPECT_THAT(error, HasSubstr("times.txt: cannot be opened"));
+}
+
 }  // namespace
 }  // namespace radive
