@@ -130,7 +130,8 @@ TEST(RadiveEvaluate, SaysWhatIsWrong) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "--reference and --estimate are required"},
       {"--reference=" + good + " --estimate=/nowhere/e.txt", "/nowhere/e.txt: cannot be opened"},
-      {"--reference=" + good + " --estimate=" + bad, "bad.txt:2: expected 8 numbers"},
+      {"--reference=" + good + " --estimate=" + bad,
+       "bad.txt:1: lines with different numbers of columns"},
       {"--reference=" + good + " --estimate=" + good + " --metric=ate", "one of ape | rpe"},
       {"--reference=" + good + " --estimate=" + good + " --align=se3", "two directions of motion"},
       {"--reference=" + good + " --estimate=" + good + " --delta=x --metric=rpe", "delta"},
@@ -149,7 +150,8 @@ TEST(RadiveEvaluate, WarnsOfWhatIsOdd) {
       "odd_ref.txt", "0 0 0 0 0 0 0 1.1\n1 1 0 0 0 0 0 1\n3 3 0 0 0 0 0 1\n4 4 0 0 0 0 0 1\n");
   const std::string estimate = WriteFile(
       "odd_est.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 2 0 0 0 0 0 1\n3 3 0 0 0 0 0 1\n");
-  const Outcome outcome = RunEvaluate("--json --reference=" + reference + " --estimate=" + estimate);
+  const Outcome outcome =
+      RunEvaluate("--json --reference=" + reference + " --estimate=" + estimate);
   ASSERT_TRUE(outcome.success) << outcome.output;
   const nlohmann::json warnings = JsonOf(outcome).at("warnings");
   ASSERT_EQ(warnings.size(), 2u) << warnings;

@@ -138,7 +138,9 @@ TEST_F(RadarScenesHdf5, WarnsWhenScansMayBeLost) {
   const auto warnings = [&](const std::vector<Detection>& detections,
                             const std::vector<CarState>& states) {
     WriteFile(folder_.path() / "radar_data.h5", detections, states);
-    return Open()->TakeWarnings();
+    const auto source = Open();
+    testing::ReadAll(source.get());
+    return source->TakeWarnings();
   };
   EXPECT_THAT(warnings(kDetections, kStates), ElementsAre());
   std::vector<Detection> detections = kDetections;

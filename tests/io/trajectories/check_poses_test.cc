@@ -15,7 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-RecordedTrajectory Read(const std::string& text, TrajectoryFormat format = TrajectoryFormat::kTum) {
+RecordedTrajectory ReadChecked(const std::string& text,
+                               TrajectoryFormat format = TrajectoryFormat::kTum) {
   std::string error;
   const auto poses = ParseTrajectory(text, format, "file", &error);
   EXPECT_TRUE(poses) << error;
@@ -35,7 +36,7 @@ RecordedTrajectory Drive(std::size_t replaced, const std::string& line) {
     text += i == replaced ? line + "\n"
                           : std::to_string(i) + "e-1 " + std::to_string(i) + " 0 0 0 0 0 1\n";
   }
-  return Read(text);
+  return ReadChecked(text);
 }
 
 std::vector<std::string> Doubts(const RecordedTrajectory& poses) {
@@ -43,7 +44,7 @@ std::vector<std::string> Doubts(const RecordedTrajectory& poses) {
 }
 
 TEST(CheckPoses, PositionsBeyondTheBoundAreAnError) {
-  Read("0 1e9 0 0 0 0 0 1\n");
+  ReadChecked("0 1e9 0 0 0 0 0 1\n");
   EXPECT_EQ(ErrorOf("0 1 2 3 0 0 0 1\n1 0 -1.1e9 0 0 0 0 1\n"),
             "file:2: expected a position within 1e9 m, found 0 -1.1e+09 0");
   EXPECT_THAT(ErrorOf("0 1e200 0 0 0 0 0 1\n"), HasSubstr("file:1: expected a position"));
@@ -55,8 +56,8 @@ TEST(CheckPoses, QuaternionsFarFromUnitLengthAreAnError) {
 }
 
 TEST(CheckPoses, QuaternionsSomewhatOffAreCounted) {
-  EXPECT_THAT(Doubts(Read("0 0 0 0 0 0 0 1.009\n1 0 0 0 0 0 0 0.991\n")), IsEmpty());
-  EXPECT_THAT(Doubts(Read("0 0 0 0 0 0 0 1.02\n1 0 0 0 0 0 0 0.6\n2 0 0 0 0 0 0 0\n")),
+  EXPECT_THAT(Doubts(ReadChecked("0 0 0 0 0 0 0 1.009\n1 0 0 0 0 0 0 0.991\n")), IsEmpty());
+  EXPECT_THAT(Doubts(ReadChecked("0 0 0 0 0 0 0 1.02\n1 0 0 0 0 0 0 0.6\n2 0 0 0 0 0 0 0\n")),
               ElementsAre(HasSubstr("1 of 3 poses have a quaternion of length zero"),
                           HasSubstr("2 of 3 poses have a quaternion whose length")));
 }
@@ -68,10 +69,12 @@ TEST(CheckPoses, MatricesThatAreNoRotationsAreAnError) {
       ErrorOf("1.03 0 0 1 0 1 0 2 0 0 1 3\n", format),
       HasSubstr("file:1: expected a rotation matrix, found one with ||R R^T - I|| = 0.060"));
   EXPECT_THAT(ErrorOf("-1 0 0 1 0 1 0 2 0 0 1 3\n", format), HasSubstr("a reflection"));
-  EXPECT_THAT(DoubtsAboutPoses(Read("1.02 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true, "file"),
-              ElementsAre(HasSubstr("1 of 1 poses have a matrix")));
-  EXPECT_THAT(DoubtsAboutPoses(Read("1.0004 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true, "file"),
-              IsEmpty());
+  EXPECT_THAT(
+      DoubtsAboutPoses(ReadChecked("1.02 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true, "file"),
+      ElementsAre(HasSubstr("1 of 1 poses have a matrix")));
+  EXPECT_THAT(
+      DoubtsAboutPoses(ReadChecked("1.0004 0 0 1 0 1 0 2 0 0 1 3\n", format), false, true, "file"),
+      IsEmpty());
 }
 
 TEST(CheckPoses, DecimalCommasAreAnError) {
@@ -107,7 +110,7 @@ TEST(CheckPoses, SpikesAreDoubted) {
 }
 
 TEST(CheckPoses, StampsThatGoBackAreDoubted) {
-  EXPECT_THAT(Doubts(Read("5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n")),
+  EXPECT_THAT(Doubts(ReadChecked("5 0 0 0 0 0 0 1\n6 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n")),
               ElementsAre("file: the stamps of 1 of 3 poses go back, the first is that of pose 3"));
 }
 
