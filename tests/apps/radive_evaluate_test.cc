@@ -149,7 +149,8 @@ TEST(RadiveEvaluate, WarnsOfWhatIsOdd) {
       "odd_ref.txt", "0 0 0 0 0 0 0 1.1\n1 1 0 0 0 0 0 1\n3 3 0 0 0 0 0 1\n4 4 0 0 0 0 0 1\n");
   const std::string estimate = WriteFile(
       "odd_est.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 2 0 0 0 0 0 1\n3 3 0 0 0 0 0 1\n");
-  const Outcome outcome = RunEvaluate("--json --reference=" + reference + " --estimate=" + estimate);
+  const Outcome outcome =
+      RunEvaluate("--json --reference=" + reference + " --estimate=" + estimate);
   ASSERT_TRUE(outcome.success) << outcome.output;
   const nlohmann::json warnings = JsonOf(outcome).at("warnings");
   ASSERT_EQ(warnings.size(), 2u) << warnings;

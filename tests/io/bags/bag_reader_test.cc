@@ -398,8 +398,13 @@ TEST(OpenBagFile, NamesOfBags) {
 // Each part once: unpacked or closed where it is there in both forms.
 TEST(OpenBagFile, ListsEachPartOnce) {
   const ScratchFolder folder;
-  for (const char* name : {"b_10.bag", "b_2.bag.active", "b_10.bag.active", "c_1.db3.zstd",
-                           "c_1.db3", "c_0.db3.ZSTD", "d.txt"}) {
+  for (const char* name : {"b_10.bag",
+                           "b_2.bag.active",
+                           "b_10.bag.active",
+                           "c_1.db3.zstd",
+                           "c_1.db3",
+                           "c_0.db3.ZSTD",
+                           "d.txt"}) {
     std::ofstream(folder.path() / name) << "x";
   }
   const auto names = [&](BagFormat format) {
@@ -416,8 +421,8 @@ TEST(OpenBagFile, ListsEachPartOnce) {
 
 // Packed as a whole, with and without the others of its folder, and without a metadata.yaml.
 TEST(OpenBagFile, PackedFilesAreUnpacked) {
-  for (const BagForm& form : {BagForm{"a.mcap", BagFormat::kMcap},
-                              BagForm{"a.db3", BagFormat::kRosbag2}}) {
+  for (const BagForm& form :
+       {BagForm{"a.mcap", BagFormat::kMcap}, BagForm{"a.db3", BagFormat::kRosbag2}}) {
     const ScratchFolder folder;
     const std::filesystem::path plain = folder.path() / form.name;
     WriteTimes(plain, form, {1, 2, 3});
@@ -438,8 +443,10 @@ TEST(OpenBagFile, PackedFilesAreUnpacked) {
 TEST(OpenBagFile, SaysWhatArchivesAre) {
   const ScratchFolder folder;
   std::string error;
-  for (const auto& [start, word] : {std::pair("\x1F\x8B\x08", "gzip"), std::pair("BZh9", "bzip2"),
-                                    std::pair("PK\x03\x04", "zip"), std::pair("", "empty")}) {
+  for (const auto& [start, word] : {std::pair("\x1F\x8B\x08", "gzip"),
+                                    std::pair("BZh9", "bzip2"),
+                                    std::pair("PK\x03\x04", "zip"),
+                                    std::pair("", "empty")}) {
     std::ofstream(folder.path() / "a.bag", std::ios::binary) << start;
     EXPECT_EQ(OpenBagFile(folder.path() / "a.bag", {}, &error), nullptr);
     EXPECT_THAT(error, AllOf(HasSubstr("a.bag: neither"), HasSubstr(word)));

@@ -161,15 +161,14 @@ TEST_F(RadarScenesSourceTest, BytesBehindTheLastRowAreIgnoredWithAWarning) {
                                 HasSubstr("last 3"))));
 }
 
-TEST_F(RadarScenesSourceTest, AFileThatShrinksMeanwhileGivesEmptyScans) {
+TEST_F(RadarScenesSourceTest, AFileThatShrinksMeanwhileIsAnError) {
   WriteTable("1,0.1,0,3,0,0,0,0,0,0\n2,0.2,0,1,0,0,0,0,0,0\n");
   const auto source = Open();
   std::filesystem::resize_file(folder_.path() / "radar2_points.bin", 20);
-  const auto scans = ReadAll(source.get());
-  EXPECT_TRUE(scans[0].returns.empty());
-  EXPECT_EQ(scans[1].returns.size(), 1u);
-  EXPECT_THAT(source->TakeWarnings(),
-              ElementsAre(AllOf(HasSubstr("radar2_scans.csv:2"), HasSubstr("empty scan"))));
+  RadarScan scan;
+  EXPECT_EQ(source->Next(&scan), ScanSource::Status::kError);
+  EXPECT_THAT(source->error(),
+              AllOf(HasSubstr("radar2_scans.csv:2"), HasSubstr("can no longer be read")));
 }
 
 TEST_F(RadarScenesSourceTest, AbsentFilesAreNamed) {
