@@ -22,9 +22,9 @@ namespace radive {
 //                      frame of scan k to that of scan 0
 //   scenario.json      what was simulated
 //
-// All of it appears in one step, see OutputFolder. `progress` is called after each scan with the number of
-// scans written and of all scans; it may be empty. On failure returns false and names the file or
-// the setting in `error`.
+// All of it appears in one step, see OutputFolder. `progress` is called after each scan with the
+// number of scans written and of all scans; it may be empty. On failure returns false and names the
+// file or the setting in `error`.
 bool WriteSimulation(const std::string& scenario,
                      const SimulationOptions& options,
                      const std::string& format,

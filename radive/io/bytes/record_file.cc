@@ -60,9 +60,9 @@ bool ReadWholeFile(const std::filesystem::path& path,
   if (ReadFileBytes(path, kLargestFile, content, &reason)) return true;
   const std::uintmax_t size = std::filesystem::file_size(path, failure);
   const bool is_too_large = !failure && size > kLargestFile;
-  *error = path.string() + (is_too_large
-                                ? ": larger than 1 GiB, expected a single scan or a small table"
-                                : ": cannot be read: " + reason);
+  *error =
+      path.string() + (is_too_large ? ": larger than 1 GiB, expected a single scan or a small table"
+                                    : ": cannot be read: " + reason);
   has_failed = !is_too_large;
   return false;
 }

@@ -52,6 +52,7 @@ std::optional<SignedAxes> ParseAxes(std::string_view text) {
 
 AxesSource::AxesSource(std::unique_ptr<ScanSource> source, const std::string& axes)
     : source_(std::move(source)), ahead_(source_.get()), must_decide_(axes == "auto") {
+  PassOn(Status::kScan, source_.get());  // what was found on opening
   if (must_decide_) return;
   const std::optional<SignedAxes> parsed = ParseAxes(axes);
   CHECK(parsed) << "input options were not checked: axes " << axes;

@@ -24,7 +24,9 @@ namespace radive {
 // its line in the trajectory, and odometry skips them.
 class OrderedSource : public ScanSource {
  public:
-  explicit OrderedSource(std::unique_ptr<ScanSource> source) : source_(std::move(source)) {}
+  explicit OrderedSource(std::unique_ptr<ScanSource> source) : source_(std::move(source)) {
+    PassOn(Status::kScan, source_.get());  // what was found on opening
+  }
 
   Status Next(RadarScan* scan) override;
   Status Skip(int count) override;

@@ -197,7 +197,8 @@ TEST(PointCloud2, SlopsThatDriversMakeAreForgiven) {
   EXPECT_EQ(table.num_points, 0u);
 }
 
-// The remarks on a message of four points in two rows of two, x = 1, 2, 3, 4; `num_points` are read.
+// The remarks on a message of four points in two rows of two, x = 1, 2, 3, 4; `num_points` are
+// read.
 std::vector<std::string> RemarksOn(const Cloud2& cloud, const std::vector<double>& expected_x) {
   PointTable table;
   std::vector<std::string> remarks;

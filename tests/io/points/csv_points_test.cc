@@ -51,9 +51,10 @@ TEST_F(CsvPointsTest, CellsThatAreNoNumbersAreNan) {
   EXPECT_TRUE(std::isnan(Values("y")[0]));
   EXPECT_TRUE(std::isnan(Values("label")[0]));
   EXPECT_EQ(Values("x"), (std::vector<double>{1, 2}));
-  EXPECT_THAT(remarks_,
-              ElementsAre(HasSubstr("1 lines do not have 3 cells"),
-                          HasSubstr("line 2: expected a number in the column 'label', found 'car'")));
+  EXPECT_THAT(
+      remarks_,
+      ElementsAre(HasSubstr("1 lines do not have 3 cells"),
+                  HasSubstr("line 2: expected a number in the column 'label', found 'car'")));
   ASSERT_TRUE(Parse("x,y,label\n1,n/a,car\n2,-,van\n"));
   EXPECT_THAT(remarks_, IsEmpty()) << "labels, and cells that stand for no value";
 }

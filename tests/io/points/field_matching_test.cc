@@ -83,8 +83,17 @@ TEST(FieldMatching, UnitsBehindTheNames) {
     const std::optional<FieldRole> role = RoleOfName(name);
     return role ? UnitOfName(*role, name) : -1.0;
   };
-  for (const char* name : {"x [m]", "X(m)", "y_m", "z [meters]", "range_m", "velocity [m/s]",
-                           "azimuth [rad]", "rcs [dBsm]", "snr (dB)", "power [a.u.]", "doppler"}) {
+  for (const char* name : {"x [m]",
+                           "X(m)",
+                           "y_m",
+                           "z [meters]",
+                           "range_m",
+                           "velocity [m/s]",
+                           "azimuth [rad]",
+                           "rcs [dBsm]",
+                           "snr (dB)",
+                           "power [a.u.]",
+                           "doppler"}) {
     EXPECT_EQ(unit(name), 1.0) << name;
   }
   EXPECT_EQ(unit("x [mm]"), 1e-3);

@@ -185,8 +185,7 @@ TEST_F(PcdTest, WordsForNoNumber) {
 
 // The points behind a bad line are as good as those before it.
 TEST_F(PcdTest, BadLinesAreLeftOut) {
-  ASSERT_TRUE(
-      Parse("FIELDS x y\nSIZE 4 4\nTYPE F F\nPOINTS 4\nDATA ascii\n1 2\n3,5 4\n5\n7 8\n"));
+  ASSERT_TRUE(Parse("FIELDS x y\nSIZE 4 4\nTYPE F F\nPOINTS 4\nDATA ascii\n1 2\n3,5 4\n5\n7 8\n"));
   EXPECT_EQ(Values("x"), (std::vector<double>{1, 7}));
   EXPECT_THAT(remarks_,
               ElementsAre(HasSubstr("line 2 of the data: expected a number for each field, found "
@@ -200,8 +199,7 @@ TEST_F(PcdTest, CountsThatContradictEachOther) {
   ASSERT_TRUE(Parse(fields + "WIDTH 1\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1 2\n3 4\n"));
   EXPECT_EQ(table_.num_points, 2u);
   EXPECT_THAT(remarks_, IsEmpty());
-  ASSERT_TRUE(
-      Parse(fields + "WIDTH 2\nHEIGHT 1\nPOINTS 1\nDATA binary\n" + Floats({1, 2, 3, 4})));
+  ASSERT_TRUE(Parse(fields + "WIDTH 2\nHEIGHT 1\nPOINTS 1\nDATA binary\n" + Floats({1, 2, 3, 4})));
   EXPECT_EQ(table_.num_points, 2u);
   EXPECT_THAT(remarks_, IsEmpty());
   ASSERT_TRUE(Parse(fields + "POINTS 1\nDATA ascii\n1 2\n3 4\n"));

@@ -42,7 +42,8 @@ std::string ErrorOf(const std::string& text) {
 
 // At (1, 2, 3), turned by 90 degrees to the left: x points along the world's y.
 void ExpectTurnedLeft(const RecordedPose& pose, const std::string& what) {
-  EXPECT_NEAR((pose.T_world_body.translation - Eigen::Vector3d(1, 2, 3)).norm(), 0.0, 1e-12) << what;
+  EXPECT_NEAR((pose.T_world_body.translation - Eigen::Vector3d(1, 2, 3)).norm(), 0.0, 1e-12)
+      << what;
   EXPECT_NEAR((pose.T_world_body.rotation.col(0) - Eigen::Vector3d::UnitY()).norm(), 0.0, 1e-6)
       << what;
   EXPECT_NEAR((pose.T_world_body.rotation.col(2) - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-6)
@@ -66,8 +67,8 @@ TEST(FindPoseColumns, MatricesWithAndWithoutColumnsInFront) {
           std::tuple("0 ", "1 ", std::int64_t{-1}),
           std::tuple("1 ", "2 ", std::int64_t{-1}),
           std::tuple("10.5 ", "10.625 ", std::int64_t{10625000000}),
-          std::tuple("1700000000100000000 ", "1700000000200000000 ",
-                     std::int64_t{1700000000200000000}),
+          std::tuple(
+              "1700000000100000000 ", "1700000000200000000 ", std::int64_t{1700000000200000000}),
           std::tuple("0 10.5 ", "1 10.625 ", std::int64_t{10625000000})}) {
       const std::string text = first + a + "\n" + second + b + "\n";
       const Read read = Parse(text);
@@ -93,7 +94,8 @@ TEST(FindPoseColumns, NamesDecideWhereThereAreEightColumnsToo) {
       "t,x,y,z,roll,pitch,yaw\n5,1,2,3,0,0,1.5707963267948966\n",
       "t;x;y;z;roll;pitch;yaw\n5,0;1,0;2,0;3,0;0;0;1,5707963267948966\n",
       "stamp,r11,r12,r13,r21,r22,r23,r31,r32,r33,tx,ty,tz\n5,0,-1,0,1,0,0,0,0,1,1,2,3\n",
-      "\xEF\xBB\xBFtime;x;y;z;qx;qy;qz;qw\r\n5;1;2;3;0;0;0,7071067811865476;0,7071067811865476\r\n"};
+      "\xEF\xBB\xBFtime;x;y;z;qx;qy;qz;qw\r\n5;1;2;3;0;0;0,7071067811865476;0,"
+      "7071067811865476\r\n"};
   for (const std::string& text : texts) {
     const Read read = Parse(text);
     ASSERT_EQ(read.poses.size(), 1u) << text;
@@ -137,7 +139,8 @@ TEST(FindPoseColumns, StampsThatCannotBeAreNamedAsStamps) {
   EXPECT_FALSE(ParsePoseTable(text, *columns, "table", &poses, &error));
   EXPECT_THAT(error, HasSubstr("expected a stamp"));
   // As numpy.savetxt writes nanoseconds.
-  EXPECT_EQ(Parse("1.400000000500000000e+18 1 2 3 0 0 0 1\n").poses[0].stamp_ns, 1400000000500000000);
+  EXPECT_EQ(Parse("1.400000000500000000e+18 1 2 3 0 0 0 1\n").poses[0].stamp_ns,
+            1400000000500000000);
 }
 
 }  // namespace
