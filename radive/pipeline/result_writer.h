@@ -24,8 +24,8 @@ struct ScanInfo {
   double read_ms = 0.0;  // time spent in the source [ms]
 };
 
-// The results folder of a run. Rows are streamed into hidden files, .NAME.partial, so memory does not
-// grow with the drive and a killed run leaves its poses; all files get their names at once, in
+// The results folder of a run. Rows are streamed into hidden files, .NAME.partial, so memory does
+// not grow with the drive and a killed run leaves its poses; all files get their names at once, in
 // Publish(). Until then earlier results stay as they are.
 //
 //   trajectory_tum.txt    "t x y z qx qy qz qw" of T_world_body, a line for each input scan

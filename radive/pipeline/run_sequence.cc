@@ -192,7 +192,8 @@ class SequenceRun {
     if (reference_ && run_error.empty()) {
       const std::string json = Scores(status, &no_scores);
       if (!json.empty() && !writer_.WriteText("scores.json", json, error)) return false;
-      if (!no_scores.empty() && status == RunStatus::kInterrupted) Warn(std::exchange(no_scores, ""));
+      if (!no_scores.empty() && status == RunStatus::kInterrupted)
+        Warn(std::exchange(no_scores, ""));
     }
     if (!writer_.WriteText("config.yaml", EffectiveConfig(config_), error)) return false;
     RunReport::Facts facts;

@@ -126,8 +126,7 @@ bool RunFolder::Commit(const RunRecord& record,
     return false;
   }
   return WriteFile(partial_ / "log.txt", log, error) &&
-         WriteRunJson(record, run, reference_path, error) &&
-         ReplaceFolder(partial_, path_, error);
+         WriteRunJson(record, run, reference_path, error) && ReplaceFolder(partial_, path_, error);
 }
 
 void RunFolder::Discard() const {

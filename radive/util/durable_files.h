@@ -8,8 +8,8 @@
 
 namespace radive {
 
-// What must outlast a power cut is synced in this order, as SQLite does it: the bytes of a file, the
-// folder that names it, then the rename that publishes it, then the folder of the rename.
+// What must outlast a power cut is synced in this order, as SQLite does it: the bytes of a file,
+// the folder that names it, then the rename that publishes it, then the folder of the rename.
 
 // A file, or the names in a folder, are on the disk when this returns true. Otherwise `error` names
 // the path and the reason. File systems that cannot sync folders are taken at their word.

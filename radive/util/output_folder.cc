@@ -26,9 +26,7 @@ constexpr const char* kNew = ".radive-new";
 constexpr const char* kReady = ".radive-ready";
 constexpr const char* kMoving = ".radive-moving";
 
-bool IsStage(const std::string& name) {
-  return name == kNew || name == kReady || name == kMoving;
-}
+bool IsStage(const std::string& name) { return name == kNew || name == kReady || name == kMoving; }
 
 std::vector<std::string> Names(const fs::path& folder, std::error_code* code) {
   std::vector<std::string> names;
@@ -46,7 +44,10 @@ bool Exists(const fs::path& path) {
 }
 
 // True, or sets `error`.
-bool Check(const std::error_code& code, const fs::path& path, const char* what, std::string* error) {
+bool Check(const std::error_code& code,
+           const fs::path& path,
+           const char* what,
+           std::string* error) {
   if (code) *error = path.string() + ": " + what + ": " + code.message();
   return !code;
 }
@@ -111,7 +112,8 @@ bool OutputFolder::RefuseStrangers(const fs::path& folder, std::string* error) c
   for (const std::string& name : Names(folder_, &code)) {
     if (IsOurs(name) || IsStage(name)) continue;
     *error = folder.string() + ": the output folder must be new" +
-             (is_own_ ? ", empty or hold earlier results only" : " or empty") + "; it holds " + name;
+             (is_own_ ? ", empty or hold earlier results only" : " or empty") + "; it holds " +
+             name;
     return false;
   }
   return Check(code, folder, "cannot list the output folder", error);

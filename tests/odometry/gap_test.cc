@@ -135,8 +135,14 @@ TEST(Gap, WhatStandsThroughItStaysWhereItIs) {
 // It stands at both ends, but elsewhere: nobody knows the way.
 TEST(Gap, WhatStandsElsewhereIsLost) {
   Road road;
-  road.Drive(0.0, 0.0, kSpeed, 11);
-  road.Drive(1.1, 8.0, 0.0, 11);
+  road.Drive(0.0, 0.0, kSpeed, 21);
+  double time = 2.0, x = 16.0;
+  for (double speed = kSpeed - 1.0; speed >= 0.0; speed -= 1.0) {
+    time += kInterval;
+    x += kInterval * (speed + 0.5);
+    road.See(time, x, speed);
+  }
+  road.Drive(time + kInterval, x, 0.0, 11);
   const OdometryResult behind = road.See(602.1, 300.0, 0.0);
   EXPECT_EQ(behind.status, Status::kPredicted);
   EXPECT_GT(std::sqrt(behind.covariance(3, 3)), 300.0);

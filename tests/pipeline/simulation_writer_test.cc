@@ -137,7 +137,8 @@ TEST_F(SimulationWriterTest, RefusesAFolderThatHoldsSomething) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "notes.txt") << "mine";
   EXPECT_FALSE(WriteSimulation("street_sparse", options_, "raw", folder_, {}, &error_));
-  EXPECT_EQ(error_, folder_.string() + ": the output folder must be new or empty; it holds notes.txt");
+  EXPECT_EQ(error_,
+            folder_.string() + ": the output folder must be new or empty; it holds notes.txt");
   EXPECT_FALSE(fs::exists(folder_ / "radar"));
 }
 

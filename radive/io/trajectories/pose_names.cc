@@ -107,8 +107,9 @@ void FindStamp(const Names& names, PoseColumns* columns) {
   Names without_units = names;
   std::vector<std::optional<int>> exponents;
   for (Name& name : without_units) exponents.push_back(TakeTimeUnit(&name));
-  columns->stamp = Find(
-      without_units, {"timestamp", "timestamps", "time", "t", "stamp", "rostime"}, {"header_stamp"});
+  columns->stamp = Find(without_units,
+                        {"timestamp", "timestamps", "time", "t", "stamp", "rostime"},
+                        {"header_stamp"});
   if (columns->stamp < 0) columns->stamp = seconds;
   if (columns->stamp < 0) return;
   const std::optional<int> exponent = exponents[static_cast<std::size_t>(columns->stamp)];
@@ -142,7 +143,8 @@ void FindAngles(Names names, PoseColumns* columns) {
       name.text.resize(name.text.size() - 4);
     }
   }
-  columns->angles = {Find(names, {}, {"roll"}), Find(names, {}, {"pitch"}), Find(names, {}, {"yaw"})};
+  columns->angles = {
+      Find(names, {}, {"roll"}), Find(names, {}, {"pitch"}), Find(names, {}, {"yaw"})};
   if (!AreThere(columns->angles)) {
     columns->angles = {-1, -1, -1};
     return;
@@ -189,8 +191,14 @@ std::optional<PoseColumns> ColumnsByName(const std::vector<std::string_view>& ra
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
     columns.position[i] = Find(names,
-                               {axis, "t" + axis, "p" + axis, "p_" + axis, "t_" + axis,
-                                "pos_" + axis, axis + "_m", "p_rs_r_" + axis},
+                               {axis,
+                                "t" + axis,
+                                "p" + axis,
+                                "p_" + axis,
+                                "t_" + axis,
+                                "pos_" + axis,
+                                axis + "_m",
+                                "p_rs_r_" + axis},
                                {"position_" + axis, "translation_" + axis});
   }
   for (std::size_t i = 0; i < 4; ++i) {

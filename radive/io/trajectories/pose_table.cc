@@ -99,11 +99,10 @@ bool SetPose(const Words& words, const PoseColumns& columns, RecordedPose* pose,
         RotationOfQuaternion(value(q[3]), value(q[0]), value(q[1]), value(q[2]));
   } else {
     const std::array<int, 3>& a = columns.angles;
-    pose->T_world_body.rotation =
-        RotationOfAngles({columns.angle_unit * value(a[0]),
-                          columns.angle_unit * value(a[1]),
-                          columns.angle_unit * value(a[2])},
-                         columns.angles_are_passive);
+    pose->T_world_body.rotation = RotationOfAngles({columns.angle_unit * value(a[0]),
+                                                    columns.angle_unit * value(a[1]),
+                                                    columns.angle_unit * value(a[2])},
+                                                   columns.angles_are_passive);
   }
   if (*bad < 0 && IsThere(columns.stamp) && !SetStamp(words, columns, pose)) *bad = columns.stamp;
   return *bad < 0;
