@@ -95,8 +95,14 @@ bool Run(std::string* error) {
   if (!estimate) return false;
   radive::RecordedTrajectory poses;
   if (!radive::PrepareComparison(*estimate, &*reference, &poses, &options, error)) return false;
-  const auto result = radive::Evaluate(reference->poses, poses, options, error);
+  auto result = radive::Evaluate(reference->poses, poses, options, error);
   if (!result) return false;
+  for (const auto& of_file : {estimate->warnings, reference->warnings}) {
+    result->warnings.insert(result->warnings.begin(), of_file.begin(), of_file.end());
+  }
+  for (const std::string& warning : result->warnings) {
+    std::fprintf(stderr, "radive_evaluate: warning: %s\n", warning.c_str());
+  }
   const std::string report = FLAGS_json ? radive::EvaluationJson(*result, options)
                                         : radive::EvaluationTable(*result, options);
   std::fputs(report.c_str(), stdout);

@@ -23,8 +23,7 @@ constexpr double kPairInterval = 0.2;
 constexpr double kPairIntervalOpen = 0.06;  // as long as nothing is decided
 constexpr double kStampJitter = 0.02;
 
-constexpr double kStandingSpeed = 0.3;  // [m/s]
-constexpr double kMaxTurnRate = 0.5;    // between the scans of a pair [rad/s]
+constexpr double kMaxTurnRate = 0.5;  // between the scans of a pair [rad/s]
 
 // All scans are looked at for this long, then the first few of each while [s].
 constexpr double kFirstLook = 30.0;

@@ -16,8 +16,6 @@ namespace {
 constexpr std::size_t kMostReturns = 250;
 constexpr double kUsualSpeed = 20.0;  // three quarters of the range rates are usually below [m/s]
 
-constexpr double kStandingSpeed = 0.3;  // [m/s]
-
 // Every scan by itself, and only those whose returns clearly agree.
 EgoVelocityOptions FitOptions() {
   EgoVelocityOptions options;

@@ -11,6 +11,9 @@
 
 namespace radive {
 
+// Below this a radar stands by its Doppler [m/s].
+inline constexpr double kStandingSpeed = 0.3;
+
 // What the Doppler of one scan says by itself, in whatever unit it is.
 struct DopplerFit {
   double share_with_doppler = 0.0;  // of the returns: those that have a number for it [-]

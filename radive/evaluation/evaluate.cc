@@ -3,6 +3,10 @@
 
 #include "radive/evaluation/evaluate.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
 #include "radive/evaluation/absolute_pose_error.h"
 #include "radive/evaluation/association.h"
 #include "radive/evaluation/relative_pose_error.h"
@@ -59,6 +63,29 @@ bool Measure(const MatchedPoses& poses,
   return true;
 }
 
+// Poses before and after the reference need no counterpart, as long as most others are matched.
+std::optional<std::string> UnmatchedPoses(const RecordedTrajectory& reference,
+                                          const RecordedTrajectory& estimate,
+                                          const EvaluationOptions& options,
+                                          std::size_t num_matched) {
+  if (options.match == PoseMatch::kLine) return std::nullopt;
+  const auto is_earlier = [](const RecordedPose& a, const RecordedPose& b) {
+    return a.stamp_s < b.stamp_s;
+  };
+  const auto [first, last] = std::minmax_element(reference.begin(), reference.end(), is_earlier);
+  const auto is_within = [begin = first->stamp_s, end = last->stamp_s](const RecordedPose& pose) {
+    return pose.stamp_s >= begin && pose.stamp_s <= end;
+  };
+  const auto num_within =
+      static_cast<std::size_t>(std::count_if(estimate.begin(), estimate.end(), is_within));
+  const bool are_most_matched = 2 * num_matched > estimate.size();
+  const std::size_t num_wanted = are_most_matched ? num_within : estimate.size();
+  if (num_matched >= num_wanted) return std::nullopt;
+  return std::to_string(num_wanted - num_matched) + " of " + std::to_string(estimate.size()) +
+         " poses of the estimate have no counterpart in the reference" +
+         (are_most_matched ? ", in the time that it covers" : "");
+}
+
 }  // namespace
 
 std::optional<EvaluationResult> Evaluate(const RecordedTrajectory& reference,
@@ -81,6 +108,9 @@ std::optional<EvaluationResult> Evaluate(const RecordedTrajectory& reference,
   result.num_estimate = static_cast<int>(estimate.size());
   result.num_matched = static_cast<int>(poses->reference.size());
   result.alignment = *alignment;
+  if (auto doubt = UnmatchedPoses(reference, estimate, options, poses->reference.size())) {
+    result.warnings.push_back(*std::move(doubt));
+  }
   if (!Measure(*poses, options, &result, error)) return std::nullopt;
   result.statistics = ComputeErrorStatistics(result.errors);
   return result;

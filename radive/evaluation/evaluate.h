@@ -29,6 +29,9 @@ struct EvaluationResult {
   ErrorStatistics statistics;
 
   std::optional<SegmentDrift> drift;  // metric segments only
+
+  // What makes the figures doubtful: poses of the estimate without a counterpart.
+  std::vector<std::string> warnings;
 };
 
 // Compares two trajectories as evo does: match, align the estimate, project both, measure.

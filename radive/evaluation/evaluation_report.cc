@@ -107,7 +107,9 @@ std::string EvaluationJson(const EvaluationResult& result, const EvaluationOptio
     json["mean_translation_percent"] = 100.0 * result.drift->translation;
     json["mean_rotation_deg_per_m"] = Degrees(result.drift->rotation);
   }
-  return json.dump(2) + "\n";
+  json["warnings"] = result.warnings;
+  // Names of files may be any bytes.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace radive

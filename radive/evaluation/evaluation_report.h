@@ -14,7 +14,8 @@ std::string EvaluationTable(const EvaluationResult& result, const EvaluationOpti
 
 // One JSON object: rmse, mean, median, std, min, max, sse (of the errors in "unit"), matched
 // (poses), count (errors), metric, relation, unit. For segments also mean_rotation_deg_per_m and
-// mean_translation_percent. Numbers read back as the same doubles. Ends with a line end.
+// mean_translation_percent. warnings: a list of sentences. Numbers read back as the same doubles.
+// Ends with a line end.
 std::string EvaluationJson(const EvaluationResult& result, const EvaluationOptions& options);
 
 }  // namespace radive

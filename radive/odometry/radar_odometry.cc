@@ -189,7 +189,7 @@ void RadarOdometry::Locate(const RadarScan& scan,
 
 void RadarOdometry::LearnFit(const OdometryResult& result) {
   const double num_gaussians = std::max(1, result.num_gaussians);
-  const double gain = has_fit_ ? 0.1 : 1.0;
+  const double gain = has_fit_ ? 0.3 : 1.0;
   has_fit_ = true;
   usual_pairs_ += gain * (result.num_pairs / num_gaussians - usual_pairs_);
   usual_cost_ += gain * (result.cost / num_gaussians - usual_cost_);

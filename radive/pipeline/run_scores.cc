@@ -93,6 +93,7 @@ std::optional<RunEstimate> ReadRunEstimate(const fs::path& path, std::string* er
   if (!trajectory) return std::nullopt;
   estimate.poses = trajectory->poses;
   estimate.has_stamps = trajectory->has_stamps;
+  estimate.warnings = trajectory->warnings;
   if (!is_folder) return estimate;
   std::string text;
   if (!ReadWholeFile(path / "run.json", &text, error)) return std::nullopt;

@@ -22,6 +22,7 @@ struct RunEstimate {
   int start = 0;              // scans of the drive before the first pose
   bool is_partial = false;    // the run was told to end before the drive
   Rigid3 T_output_reference;  // where the ground truth's body is, seen from the trajectory's
+  std::vector<std::string> warnings;  // what is odd about the poses
 };
 
 // Reads the trajectory of a results folder, with what its run.json says, or a trajectory file.

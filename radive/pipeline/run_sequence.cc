@@ -101,7 +101,9 @@ class SequenceRun {
   bool ReadItsReference(std::string* error) {
     if (request_.reference.empty()) return true;
     reference_ = ReadReference(request_.reference, config_.reference, config_.input.clip, error);
-    return reference_.has_value();
+    if (!reference_) return false;
+    for (const std::string& warning : reference_->warnings) Warn(warning);
+    return true;
   }
 
   bool IsStopped() const { return request_.stop != nullptr && request_.stop->load(); }
@@ -231,6 +233,9 @@ class SequenceRun {
     if (!scores) {
       *error = request_.reference + ": no scores: " + reason;
       return "";
+    }
+    for (const std::string& warning : scores->front().result.warnings) {
+      Warn(request_.reference + ": " + warning);
     }
     scores_ = ScoresText(*scores, *reference_);
     return ScoresJson(*scores, *reference_, request_.reference);

@@ -20,6 +20,9 @@ struct RecordedPose {
   double stamp_s = 0.0;
 
   MatrixPose T_world_body;
+
+  // Length of the quaternion in the file, where it has one; 0 for (almost) zero ones.
+  double quaternion_norm = 1.0;
 };
 
 using RecordedTrajectory = std::vector<RecordedPose>;

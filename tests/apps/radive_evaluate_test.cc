@@ -25,7 +25,7 @@ struct Outcome {
   std::string output;  // both streams
 };
 
-Outcome RunProgram(const std::string& arguments) {
+Outcome RunEvaluate(const std::string& arguments) {
   const std::string command = "\"" RADIVE_EVALUATE "\" " + arguments + " 2>&1";
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
@@ -38,6 +38,12 @@ Outcome RunProgram(const std::string& arguments) {
   return outcome;
 }
 
+// The JSON object behind the warnings.
+nlohmann::json JsonOf(const Outcome& outcome) {
+  return nlohmann::json::parse(
+      outcome.output.substr(std::min(outcome.output.find('{'), outcome.output.size())));
+}
+
 // Writes a TUM file that lives as long as the tests' temporary folder.
 std::string WriteFile(const std::string& name, const std::string& text) {
   const std::string file = ::testing::TempDir() + "radive_evaluate_test_" + name;
@@ -46,7 +52,7 @@ std::string WriteFile(const std::string& name, const std::string& text) {
 }
 
 TEST(RadiveEvaluate, HelpShowsItsOwnFlagsOnly) {
-  const Outcome help = RunProgram("--help");
+  const Outcome help = RunEvaluate("--help");
   EXPECT_TRUE(help.success);
   for (const char* flag : {"--reference", "--estimate", "--max_time_difference", "--json"}) {
     EXPECT_THAT(help.output, HasSubstr(flag));
@@ -55,7 +61,7 @@ TEST(RadiveEvaluate, HelpShowsItsOwnFlagsOnly) {
 }
 
 TEST(RadiveEvaluate, VersionIsOneLine) {
-  const Outcome version = RunProgram("--version");
+  const Outcome version = RunEvaluate("--version");
   EXPECT_TRUE(version.success);
   EXPECT_EQ(version.output, "radive_evaluate " RADIVE_VERSION "\n");
 }
@@ -65,13 +71,13 @@ TEST(RadiveEvaluate, ComparesTwoFiles) {
       WriteFile("ref.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 2 0 0 0 0 0 1\n");
   const std::string estimate = WriteFile("est.txt", "0 0 0 3 0 0 0 1\n1 1 4 0 0 0 0 1\n");
   const std::string files = "--reference=" + reference + " --estimate=" + estimate;
-  const Outcome table = RunProgram(files);
+  const Outcome table = RunEvaluate(files);
   EXPECT_TRUE(table.success);
   EXPECT_THAT(table.output, HasSubstr("rmse         3.535533906 m\n"));  // sqrt((9 + 16) / 2)
-  const Outcome json = RunProgram(files + " --json");
+  const Outcome json = RunEvaluate(files + " --json");
   ASSERT_TRUE(json.success) << json.output;
-  EXPECT_EQ(nlohmann::json::parse(json.output).at("sse").get<double>(), 25.0);
-  EXPECT_EQ(nlohmann::json::parse(json.output).at("matched").get<int>(), 2);
+  EXPECT_EQ(JsonOf(json).at("sse").get<double>(), 25.0);
+  EXPECT_EQ(JsonOf(json).at("matched").get<int>(), 2);
 }
 
 TEST(RadiveEvaluate, EveryFlagReachesTheEvaluation) {
@@ -87,20 +93,20 @@ TEST(RadiveEvaluate, EveryFlagReachesTheEvaluation) {
   }
   const std::string files = "--reference=" + WriteFile("flags_ref.txt", reference_text) +
                             " --estimate=" + WriteFile("flags_est.txt", estimate_text);
-  EXPECT_FALSE(RunProgram(files).success);  // the stamps are too far apart
+  EXPECT_FALSE(RunEvaluate(files).success);  // the stamps are too far apart
   const Outcome ape =
-      RunProgram(files + " --json --max_time_difference=0.06 --align=sim3 --align_first=6");
+      RunEvaluate(files + " --json --max_time_difference=0.06 --align=sim3 --align_first=6");
   ASSERT_TRUE(ape.success) << ape.output;
-  EXPECT_NEAR(nlohmann::json::parse(ape.output).at("max").get<double>(), 0.0, 1e-9);
+  EXPECT_NEAR(JsonOf(ape).at("max").get<double>(), 0.0, 1e-9);
 
   // Positions (x, y) = (0,0) (1,1) (4,2): on the reference steps are twice as long. Five frames
   // apart, all pairs: 4 errors; pairs from the reference make no difference in frames.
   const Outcome rpe =
-      RunProgram(files +
-                 " --json --max_time_difference=0.06 --plane=xz --metric=rpe --delta=5 "
-                 "--delta_unit=f --all_pairs --relation=point_distance");
+      RunEvaluate(files +
+                  " --json --max_time_difference=0.06 --plane=xz --metric=rpe --delta=5 "
+                  "--delta_unit=f --all_pairs --relation=point_distance");
   ASSERT_TRUE(rpe.success) << rpe.output;
-  const nlohmann::json json = nlohmann::json::parse(rpe.output);
+  const nlohmann::json json = JsonOf(rpe);
   EXPECT_EQ(json.at("count").get<int>(), 4);
   // In x alone, (i + 5)^2 - i^2 = 10 i + 25 is missing: 25, 35, 45, 55 m.
   EXPECT_EQ(json.at("min").get<double>(), 25.0);
@@ -109,13 +115,13 @@ TEST(RadiveEvaluate, EveryFlagReachesTheEvaluation) {
   // 60 m of path: walking the reference gives other pairs than walking the estimate.
   const std::string metres = files + " --json --max_time_difference=0.06 --metric=rpe --delta=16 " +
                              "--delta_unit=m --relation=point_distance_ratio";
-  const Outcome on_estimate = RunProgram(metres);
-  const Outcome on_reference = RunProgram(metres + " --pairs_from_reference");
+  const Outcome on_estimate = RunEvaluate(metres);
+  const Outcome on_reference = RunEvaluate(metres + " --pairs_from_reference");
   ASSERT_TRUE(on_estimate.success) << on_estimate.output;
   ASSERT_TRUE(on_reference.success) << on_reference.output;
-  EXPECT_NEAR(nlohmann::json::parse(on_estimate.output).at("mean").get<double>(), 50.0, 1e-9);
-  EXPECT_LT(nlohmann::json::parse(on_estimate.output).at("count").get<int>(),
-            nlohmann::json::parse(on_reference.output).at("count").get<int>());
+  EXPECT_NEAR(JsonOf(on_estimate).at("mean").get<double>(), 50.0, 1e-9);
+  EXPECT_LT(JsonOf(on_estimate).at("count").get<int>(),
+            JsonOf(on_reference).at("count").get<int>());
 }
 
 TEST(RadiveEvaluate, SaysWhatIsWrong) {
@@ -124,7 +130,8 @@ TEST(RadiveEvaluate, SaysWhatIsWrong) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "--reference and --estimate are required"},
       {"--reference=" + good + " --estimate=/nowhere/e.txt", "/nowhere/e.txt: cannot be opened"},
-      {"--reference=" + good + " --estimate=" + bad, "bad.txt:2: expected 8 numbers"},
+      {"--reference=" + good + " --estimate=" + bad,
+       "bad.txt:1: lines with different numbers of columns"},
       {"--reference=" + good + " --estimate=" + good + " --metric=ate", "one of ape | rpe"},
       {"--reference=" + good + " --estimate=" + good + " --align=se3", "two directions of motion"},
       {"--reference=" + good + " --estimate=" + good + " --delta=x --metric=rpe", "delta"},
@@ -132,10 +139,28 @@ TEST(RadiveEvaluate, SaysWhatIsWrong) {
       {good + " " + good, "unexpected argument"},
   };
   for (const auto& [arguments, message] : cases) {
-    const Outcome outcome = RunProgram(arguments);
+    const Outcome outcome = RunEvaluate(arguments);
     EXPECT_FALSE(outcome.success) << arguments;
     EXPECT_THAT(outcome.output, HasSubstr(message));
   }
+}
+
+TEST(RadiveEvaluate, WarnsOfWhatIsOdd) {
+  const std::string reference = WriteFile(
+      "odd_ref.txt", "0 0 0 0 0 0 0 1.1\n1 1 0 0 0 0 0 1\n3 3 0 0 0 0 0 1\n4 4 0 0 0 0 0 1\n");
+  const std::string estimate = WriteFile(
+      "odd_est.txt", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n2 2 0 0 0 0 0 1\n3 3 0 0 0 0 0 1\n");
+  const Outcome outcome =
+      RunEvaluate("--json --reference=" + reference + " --estimate=" + estimate);
+  ASSERT_TRUE(outcome.success) << outcome.output;
+  const nlohmann::json warnings = JsonOf(outcome).at("warnings");
+  ASSERT_EQ(warnings.size(), 2u) << warnings;
+  EXPECT_THAT(warnings[0].get<std::string>(),
+              HasSubstr("odd_ref.txt: 1 of 4 poses have a quaternion whose length"));
+  EXPECT_EQ(warnings[1],
+            "1 of 4 poses of the estimate have no counterpart in the reference, in the time that "
+            "it covers");
+  EXPECT_THAT(outcome.output, HasSubstr("radive_evaluate: warning: 1 of 4 poses of the estimate"));
 }
 
 // Records of evo, one of each format, through the program.
@@ -178,12 +203,12 @@ TEST(RadiveEvaluate, ReproducesEvo) {
           });
     });
     ASSERT_TRUE(record != records.end()) << test.name;
-    const Outcome outcome = RunProgram(
+    const Outcome outcome = RunEvaluate(
         "--json --format=" + recorded_case.at("format").get<std::string>() + " --reference=\"" +
         (folder / recorded_case.at("ref").get<std::string>()).string() + "\" --estimate=\"" +
         (folder / recorded_case.at("est").get<std::string>()).string() + "\" " + test.flags);
     ASSERT_TRUE(outcome.success) << outcome.output;
-    const nlohmann::json actual = nlohmann::json::parse(outcome.output);
+    const nlohmann::json actual = JsonOf(outcome);
     EXPECT_EQ(actual.at("matched"), recorded_case.at("num_matched")) << test.name;
     EXPECT_EQ(actual.at("count"), record->at("n")) << test.name;
     for (const auto& [statistic, value] : record->at("stats").items()) {

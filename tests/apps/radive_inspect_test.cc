@@ -148,8 +148,10 @@ TEST(RadiveInspect, HostileCountsCostNoMemory) {
     const std::string command = std::string("ulimit -v 400000; exec '") + RADIVE_INSPECT + "' '" +
                                 (folder.path() / name).string() + "'";
     const Outcome run = RunProgram("/bin/sh", {"-c", command});
-    EXPECT_EQ(run.code, 0) << name << run.output;
-    EXPECT_THAT(run.output, HasSubstr("warning:")) << name;
+    // Of c and e nothing can be read.
+    const bool has_points = name[0] != 'c' && name[0] != 'e';
+    EXPECT_EQ(run.code, has_points ? 0 : 1) << name << run.output;
+    EXPECT_THAT(run.output, HasSubstr(has_points ? "warning:" : name)) << name;
   }
 }
 

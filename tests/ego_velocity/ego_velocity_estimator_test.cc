@@ -19,21 +19,14 @@
 namespace radive {
 namespace {
 
+using testing::At;
 using ::testing::HasSubstr;
+using testing::kTenthSecond;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int64_t kTenthSecond = 100'000'000;  // [ns]
-
 EgoVelocity FitOne(const std::vector<RadarReturn>& returns, bool is_planar) {
   EgoVelocityEstimator estimator({}, {});
   return estimator.Estimate(returns, is_planar, 0);
-}
-
-RadarReturn At(double x, double y, double doppler) {
-  RadarReturn entry;
-  entry.position = {x, y, 0.0};
-  entry.doppler = doppler;
-  return entry;
 }
 
 // At 10 m/s ahead and 5 m/s to the left: ahead -10, to the left -5, at (3, 4) -(6 + 4), at (4, -3)

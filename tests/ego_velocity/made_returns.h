@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "radive/geometry/spherical.h"
@@ -11,6 +12,16 @@
 #include "radive/util/random.h"
 
 namespace radive::testing {
+
+inline constexpr std::int64_t kTenthSecond = 100'000'000;  // [ns]
+
+// A return in the plane of the radar [m], [m/s].
+inline RadarReturn At(double x, double y, double doppler) {
+  RadarReturn entry;
+  entry.position = {x, y, 0.0};
+  entry.doppler = doppler;
+  return entry;
+}
 
 // Where the returns of MakeReturns() lie and how noisy their Doppler is.
 struct ReturnsModel {

@@ -10,17 +10,13 @@
 #include <limits>
 #include <vector>
 
+#include "tests/ego_velocity/made_returns.h"
+
 namespace radive {
 namespace {
 
+using testing::At;
 using ::testing::ElementsAre;
-
-RadarReturn At(double x, double y, double doppler) {
-  RadarReturn entry;
-  entry.position = {x, y, 0.0};
-  entry.doppler = doppler;
-  return entry;
-}
 
 // Driving at 10 m/s ahead. Discrepancies: 0, 0.5, 0.5 (the other way), and at (3, 4), where -6 is
 // expected, 2.

@@ -18,10 +18,9 @@ namespace radive {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kTenthSecond;
 
-constexpr double kSpan = 3.866;                     // K-Radar's [m/s]
-constexpr std::int64_t kTenthSecond = 100'000'000;  // [ns]
-
+constexpr double kSpan = 3.866;  // K-Radar's [m/s]
 TEST(WrapDoppler, GivesTheNearestToZero) {
   EXPECT_NEAR(WrapDoppler(5.0, 4.0), 1.0, 1e-15);
   EXPECT_NEAR(WrapDoppler(-3.0, 4.0), 1.0, 1e-15);

@@ -65,7 +65,7 @@ TEST(EvaluationOptions, RangesAreChecked) {
 
 // Reference x = t at 0, 1, 2, 3 s; the estimate has the same poses 0.1 m too high and 0.2 m apart
 // in x at every second pose, and one pose of another time.
-RecordedTrajectory Estimate() {
+RecordedTrajectory StampedEstimate() {
   RecordedTrajectory estimate = StampedAlongX({0.0, 1.0, 2.0, 7.0});
   for (RecordedPose& pose : estimate) pose.T_world_body.translation.z() = 0.1;
   estimate[1].T_world_body.translation.x() += 0.2;
@@ -76,7 +76,7 @@ TEST(Evaluate, MatchesProjectsAndMeasures) {
   std::string error;
   EvaluationOptions options;
   options.plane = Plane::kXy;
-  const auto result = Evaluate(StampedAlongX({0, 1, 2, 3}), Estimate(), options, &error);
+  const auto result = Evaluate(StampedAlongX({0, 1, 2, 3}), StampedEstimate(), options, &error);
   ASSERT_TRUE(result) << error;
   EXPECT_EQ(result->num_matched, 3);
   EXPECT_EQ(result->unit, "m");
@@ -133,7 +133,7 @@ TEST(Evaluate, HandsErrorsOn) {
 TEST(EvaluationReport, JsonHoldsEveryFigureExactly) {
   std::string error;
   const EvaluationOptions options;
-  const auto result = Evaluate(StampedAlongX({0, 1, 2, 3}), Estimate(), options, &error);
+  const auto result = Evaluate(StampedAlongX({0, 1, 2, 3}), StampedEstimate(), options, &error);
   ASSERT_TRUE(result) << error;
   const nlohmann::json json = nlohmann::json::parse(EvaluationJson(*result, options));
   EXPECT_EQ(json.at("rmse").get<double>(), result->statistics.rmse);
@@ -151,7 +151,7 @@ TEST(EvaluationReport, TableHasUnits) {
   std::string error;
   EvaluationOptions options;
   options.relation = PoseRelation::kAngleDeg;
-  const auto result = Evaluate(StampedAlongX({0, 1, 2, 3}), Estimate(), options, &error);
+  const auto result = Evaluate(StampedAlongX({0, 1, 2, 3}), StampedEstimate(), options, &error);
   ASSERT_TRUE(result) << error;
   const std::string table = EvaluationTable(*result, options);
   EXPECT_THAT(table, HasSubstr("Absolute pose error, angle_deg; align none\n"));

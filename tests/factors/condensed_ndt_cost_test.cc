@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "radive/factors/ndt_pair_factor.h"
 #include "radive/geometry/pose_manifold.h"
 #include "radive/solver/solve.h"
 #include "tests/synthetic_scene.h"

@@ -12,6 +12,7 @@
 #include "radive/factors/point_to_plane_factor.h"
 #include "radive/factors/point_to_point_factor.h"
 #include "radive/geometry/sqrt_information.h"
+#include "radive/util/angle_units.h"
 #include "tests/factors/pose_factor_test_utils.h"
 
 namespace radive {
@@ -20,8 +21,6 @@ namespace {
 using testing::CostPtr;
 using testing::ExpectAutodiffMatchesNumeric;
 using testing::Residuals;
-
-constexpr double kPi = 3.14159265358979323846;
 
 // A quarter turn to the left and 10 m ahead: (1, 2, 3) in the radar frame is at (8, 1, 3).
 const Rigid3 kQuarterTurn{QuaternionFromRotationVector({0.0, 0.0, kPi / 2}), {10.0, 0.0, 0.0}};

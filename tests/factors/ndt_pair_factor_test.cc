@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "radive/geometry/pose_manifold.h"
+#include "radive/util/angle_units.h"
 #include "tests/factor_test_utils.h"
 #include "tests/synthetic_scene.h"
 
@@ -18,8 +19,6 @@ namespace radive {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
-
-constexpr double kPi = 3.14159265358979323846;
 
 // The cost of one pair as the paper prints it, without anything of the factor.
 double PaperCost(const Gaussian3& a, const Gaussian3& b, NdtNormalisation norm, const Rigid3& T) {

@@ -15,6 +15,7 @@
 #include "radive/factors/rotation_prior_factor.h"
 #include "radive/factors/translation_prior_factor.h"
 #include "radive/geometry/sqrt_information.h"
+#include "radive/util/angle_units.h"
 #include "tests/factors/pose_factor_test_utils.h"
 #include "tests/synthetic_scene.h"
 
@@ -24,8 +25,6 @@ namespace {
 using testing::CostPtr;
 using testing::ExpectAutodiffMatchesNumeric;
 using testing::Residuals;
-
-constexpr double kPi = 3.14159265358979323846;
 
 Eigen::Matrix3d FullCovariance() {
   Eigen::Matrix3d covariance;  // of L = [2 0 0; 1 3 0; -1 2 4]

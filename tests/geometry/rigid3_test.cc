@@ -9,12 +9,11 @@
 #include <cmath>
 
 #include "radive/geometry/sqrt_information.h"
+#include "radive/util/angle_units.h"
 #include "tests/synthetic_scene.h"
 
 namespace radive {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // a sees b at (1, 2, 3), turned 90 degrees to the left: the x axis of b is the y axis of a.
 TEST(Rigid3, MapsFromItsRightFrameToItsLeft) {

@@ -7,12 +7,11 @@
 
 #include <cmath>
 
+#include "radive/util/angle_units.h"
 #include "tests/synthetic_scene.h"
 
 namespace radive {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // A quarter of a circle to the left with radius 2 m, climbing 1 m.
 TEST(Twist, DrivesAHelix) {

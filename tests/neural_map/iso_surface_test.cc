@@ -11,14 +11,13 @@
 #include <map>
 #include <utility>
 
+#include "radive/util/angle_units.h"
 #include "radive/util/random.h"
 
 namespace radive {
 namespace {
 
 using Field = std::function<double(const Eigen::Vector3d&)>;
-
-constexpr double kPi = 3.14159265358979323846;
 
 // The field at all vertices with coordinates -n .. n.
 SdfGrid GridOf(const Field& field, double spacing, int n) {

@@ -21,8 +21,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double kInterval = 0.1;  // [s]
-constexpr double kSpeed = 8.0;     // [m/s]
+constexpr double kScanInterval = 0.1;  // [s]
+constexpr double kRoadSpeed = 8.0;     // [m/s]
 
 // Things at random beside a straight road along x, which look nowhere the same.
 std::vector<Eigen::Vector3d> RoadSide() {
@@ -61,7 +61,7 @@ class Road {
   OdometryResult Drive(double time, double x, double speed, int count) {
     OdometryResult result;
     for (int i = 0; i < count; ++i) {
-      result = See(time + kInterval * i, x + speed * kInterval * i, speed);
+      result = See(time + kScanInterval * i, x + speed * kScanInterval * i, speed);
     }
     return result;
   }
@@ -84,9 +84,9 @@ double X(const OdometryResult& result) { return result.T_world_radar.translation
 
 TEST(Gap, AShortOneIsBridged) {
   Road road;
-  road.Drive(0.0, 0.0, kSpeed, 11);
+  road.Drive(0.0, 0.0, kRoadSpeed, 11);
   EXPECT_THAT(road.Warnings(), IsEmpty());
-  const OdometryResult behind = road.See(3.0, 24.0, kSpeed);
+  const OdometryResult behind = road.See(3.0, 24.0, kRoadSpeed);
   EXPECT_EQ(behind.status, Status::kRegistered);
   EXPECT_NEAR(X(behind), 24.0, 0.1);
   EXPECT_THAT(road.Warnings(),
@@ -98,15 +98,15 @@ TEST(Gap, AShortOneIsBridged) {
 TEST(Gap, OfALongOneTenSecondsAreClaimed) {
   for (const bool has_doppler : {true, false}) {
     Road road(has_doppler);
-    const double before = X(road.Drive(0.0, 0.0, kSpeed, 21));
-    const OdometryResult behind = road.See(62.1, 496.8, kSpeed);
+    const double before = X(road.Drive(0.0, 0.0, kRoadSpeed, 21));
+    const OdometryResult behind = road.See(62.1, 496.8, kRoadSpeed);
     EXPECT_EQ(behind.status, Status::kPredicted);
     EXPECT_NEAR(X(behind) - before, 80.8, 1.0);
     EXPECT_NEAR(std::sqrt(behind.covariance(3, 3)), 415.0, 5.0);  // 400 m, 15 m by acceleration
     EXPECT_TRUE(behind.is_keyframe);
     EXPECT_THAT(road.Warnings(), ElementsAre(HasSubstr("gap of 60.1 s without scans")));
     // The motion behind the gap is as good as ever.
-    const OdometryResult later = road.Drive(62.2, 497.6, kSpeed, 10);
+    const OdometryResult later = road.Drive(62.2, 497.6, kRoadSpeed, 10);
     EXPECT_EQ(later.status, Status::kRegistered);
     EXPECT_NEAR(X(later) - X(behind), 8.0, 0.1);
   }
@@ -115,8 +115,8 @@ TEST(Gap, OfALongOneTenSecondsAreClaimed) {
 // A clock that was set forward: the next scan is where it would have been without.
 TEST(Gap, AStepOfTheClockIsSeenInTheScans) {
   Road road;
-  road.Drive(0.0, 0.0, kSpeed, 21);
-  const OdometryResult behind = road.See(3602.1, 16.8, kSpeed);
+  road.Drive(0.0, 0.0, kRoadSpeed, 21);
+  const OdometryResult behind = road.See(3602.1, 16.8, kRoadSpeed);
   EXPECT_EQ(behind.status, Status::kRegistered);
   EXPECT_NEAR(X(behind), 16.8, 0.1);
   EXPECT_THAT(road.Warnings(), ElementsAre(HasSubstr("fits as if no time had passed")));
@@ -135,8 +135,14 @@ TEST(Gap, WhatStandsThroughItStaysWhereItIs) {
 // It stands at both ends, but elsewhere: nobody knows the way.
 TEST(Gap, WhatStandsElsewhereIsLost) {
   Road road;
-  road.Drive(0.0, 0.0, kSpeed, 11);
-  road.Drive(1.1, 8.0, 0.0, 11);
+  road.Drive(0.0, 0.0, kRoadSpeed, 21);
+  double time = 2.0, x = 16.0;
+  for (double speed = kRoadSpeed - 1.0; speed >= 0.0; speed -= 1.0) {
+    time += kScanInterval;
+    x += kScanInterval * (speed + 0.5);
+    road.See(time, x, speed);
+  }
+  road.Drive(time + kScanInterval, x, 0.0, 11);
   const OdometryResult behind = road.See(602.1, 300.0, 0.0);
   EXPECT_EQ(behind.status, Status::kPredicted);
   EXPECT_GT(std::sqrt(behind.covariance(3, 3)), 300.0);

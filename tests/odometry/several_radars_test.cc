@@ -25,7 +25,7 @@ const std::vector<double> kMounts = {1, 3.5,  0.8,  0.5, 0, 0, 0.5,   //
                                      2, 3.5,  -0.8, 0.5, 0, 0, -0.5,  //
                                      5, -0.8, 0.0,  0.5, 0, 0, M_PI};
 
-OdometryOptions Options() {
+OdometryOptions MountedOptions() {
   OdometryOptions options;
   options.sensor.mounts = kMounts;
   options.registration.planar = true;
@@ -43,7 +43,7 @@ Rigid3 VehicleAt(double time) {
 // Exact returns of what lies before the radar.
 RadarScan ScanAt(std::int64_t stamp_ns, int radar) {
   const double time = static_cast<double>(stamp_ns) * 1e-9;
-  const Rigid3 T_vehicle_radar = Options().sensor.ForRadar(radar).T_vehicle_radar();
+  const Rigid3 T_vehicle_radar = MountedOptions().sensor.ForRadar(radar).T_vehicle_radar();
   const Rigid3 T_radar_world = (VehicleAt(time) * T_vehicle_radar).Inverse();
   const Eigen::Vector3d turn(0.0, 0.0, kYawRate);
   const Eigen::Vector3d v_radar =
@@ -63,14 +63,14 @@ RadarScan ScanAt(std::int64_t stamp_ns, int radar) {
   return scan;
 }
 
-double Error(const Rigid3& estimate, const Rigid3& truth) {
+double VehicleError(const Rigid3& estimate, const Rigid3& truth) {
   return (estimate.translation - truth.translation).norm() +
          RotationVector(estimate.rotation * truth.rotation.conjugate()).norm();
 }
 
 // Radar 5 measures with radar 1, at the very same times; radar 2 in between.
 TEST(SeveralRadars, FollowTheVehicle) {
-  Odometry odometry(Options());
+  Odometry odometry(MountedOptions());
   const Rigid3 T_first_world = VehicleAt(0.0).Inverse();
   for (std::int64_t k = 0; k < 50; ++k) {
     const std::int64_t stamp = k * 60'000'000;
@@ -79,9 +79,9 @@ TEST(SeveralRadars, FollowTheVehicle) {
       const OdometryResult result = odometry.AddScan(ScanAt(stamp + later, radar));
       const Rigid3 truth = T_first_world * VehicleAt(static_cast<double>(stamp + later) * 1e-9);
       EXPECT_EQ(result.status, Status::kRegistered) << k << " " << radar << " " << result.reason;
-      EXPECT_LT(Error(result.T_world_body, truth), 0.04) << k << " " << radar;
-      const Rigid3 T_vehicle_radar = Options().sensor.ForRadar(radar).T_vehicle_radar();
-      EXPECT_LT(Error(result.T_world_radar, result.T_world_body * T_vehicle_radar), 1e-9);
+      EXPECT_LT(VehicleError(result.T_world_body, truth), 0.04) << k << " " << radar;
+      const Rigid3 T_vehicle_radar = MountedOptions().sensor.ForRadar(radar).T_vehicle_radar();
+      EXPECT_LT(VehicleError(result.T_world_radar, result.T_world_body * T_vehicle_radar), 1e-9);
       EXPECT_TRUE(result.covariance.allFinite());
     }
   }
@@ -89,7 +89,7 @@ TEST(SeveralRadars, FollowTheVehicle) {
 
 // The radar of the first scan is the body: what the others see moves it.
 TEST(SeveralRadars, TheBodyMayBeTheFirstRadar) {
-  OdometryOptions options = Options();
+  OdometryOptions options = MountedOptions();
   options.motion.body = MotionOptions::Body::kRadar;
   Odometry odometry(options);
   const Rigid3 T_vehicle_first = options.sensor.ForRadar(2).T_vehicle_radar();
@@ -99,13 +99,13 @@ TEST(SeveralRadars, TheBodyMayBeTheFirstRadar) {
     const OdometryResult result = odometry.AddScan(ScanAt(stamp, k % 2 == 0 ? 2 : 5));
     const Rigid3 truth =
         T_first_world * VehicleAt(static_cast<double>(stamp) * 1e-9) * T_vehicle_first;
-    EXPECT_LT(Error(result.T_world_body, truth), 0.04) << k;
+    EXPECT_LT(VehicleError(result.T_world_body, truth), 0.04) << k;
   }
 }
 
 // Of each radar: a stamp that was there is skipped, the same time at another radar is not.
 TEST(SeveralRadars, StampsRepeatPerRadar) {
-  Odometry odometry(Options());
+  Odometry odometry(MountedOptions());
   for (std::int64_t k = 0; k < 5; ++k) odometry.AddScan(ScanAt(k * 50'000'000, 1));
   EXPECT_EQ(odometry.AddScan(ScanAt(200'000'000, 2)).status, Status::kRegistered);
   EXPECT_EQ(odometry.AddScan(ScanAt(200'000'000, 2)).reason, "stamp repeats");
@@ -115,7 +115,7 @@ TEST(SeveralRadars, StampsRepeatPerRadar) {
 
 // One radar falls silent in the middle of the drive, another one sees nothing.
 TEST(SeveralRadars, OneIsEnough) {
-  Odometry odometry(Options());
+  Odometry odometry(MountedOptions());
   const Rigid3 T_first_world = VehicleAt(0.0).Inverse();
   for (int k = 0; k < 80; ++k) {
     const std::int64_t stamp = k * 20'000'000;
@@ -125,7 +125,7 @@ TEST(SeveralRadars, OneIsEnough) {
     if (k > 30 && radar == 5) scan.returns.clear();
     const OdometryResult result = odometry.AddScan(scan);
     const Rigid3 truth = T_first_world * VehicleAt(static_cast<double>(stamp) * 1e-9);
-    EXPECT_LT(Error(result.T_world_body, truth), 0.05) << k << " " << radar;
+    EXPECT_LT(VehicleError(result.T_world_body, truth), 0.05) << k << " " << radar;
   }
 }
 

@@ -15,10 +15,9 @@ namespace {
 
 using testing::FakeScanSource;
 using ::testing::HasSubstr;
+using testing::kForward;
 using testing::ScanOfPosts;
 using testing::StaticScans;
-
-const Eigen::Vector3d kForward(8.0, 0.5, -0.2);
 
 DopplerCheck NewCheck() { return DopplerCheck(SensorOptions(), PreprocessingOptions()); }
 

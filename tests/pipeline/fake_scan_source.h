@@ -15,6 +15,9 @@
 
 namespace radive::testing {
 
+// Velocity of a radar that mostly moves ahead, in its frame [m/s].
+inline const Eigen::Vector3d kForward(8.0, 0.5, -0.2);
+
 // A scan of static returns all around the front of a radar that moves with `v_radar` [m/s].
 inline RadarScan StaticScan(std::int64_t stamp_ns,
                             const Eigen::Vector3d& v_radar,

@@ -17,7 +17,7 @@
 namespace radive {
 namespace {
 
-constexpr double kSigma = 0.05;  // noise of the synthetic points [m]
+constexpr double kStreetSigma = 0.05;  // noise of the synthetic points [m]
 
 using testing::Patient;
 using testing::PointGaussians;
@@ -66,9 +66,9 @@ TEST(RegisterNdt, RecoversTheTruthFromPerturbedStarts) {
 TEST(RegisterNdt, BothDirectionsAgree) {
   Random random(2);
   const Rigid3 T_true{QuaternionFromRotationVector({0.0, 0.01, 0.05}), {0.4, 0.2, 0.05}};
-  const std::vector<Gaussian3> a = PointGaussians(testing::StreetPoints(), kSigma, &random);
+  const std::vector<Gaussian3> a = PointGaussians(testing::StreetPoints(), kStreetSigma, &random);
   const std::vector<Gaussian3> b = testing::Transformed(
-      T_true.Inverse(), PointGaussians(testing::StreetPoints(), kSigma, &random));
+      T_true.Inverse(), PointGaussians(testing::StreetPoints(), kStreetSigma, &random));
   const RegistrationResult forward =
       RegisterNdt(b, PairSearch(a), Rigid3(), 0.8, RegistrationPriors(), PairOptions(), Patient());
   const RegistrationResult backward =
@@ -106,9 +106,10 @@ TEST(RegisterNdt, PlanarModeMovesInThePlaneOnly) {
 // Far from the origin of the map nothing may change.
 TEST(RegisterNdt, MapCoordinatesOfAMillionMetres) {
   Random random(4);
-  const std::vector<Gaussian3> submap = PointGaussians(testing::StreetPoints(), kSigma, &random);
+  const std::vector<Gaussian3> submap =
+      PointGaussians(testing::StreetPoints(), kStreetSigma, &random);
   const Rigid3 T_true{QuaternionFromRotationVector({0.0, 0.0, 0.7}), {1.0, 0.5, 0.4}};
-  const std::vector<Gaussian3> scan = StreetScan(T_true, kSigma, &random);
+  const std::vector<Gaussian3> scan = StreetScan(T_true, kStreetSigma, &random);
   const Rigid3 T_start{T_true.rotation, T_true.translation + Eigen::Vector3d(0.2, -0.1, 0.05)};
   const Rigid3 T_far_submap{Eigen::Quaterniond::Identity(), {1e6, -1e6, 1e4}};
   const std::vector<Gaussian3> far_submap = testing::Transformed(T_far_submap, submap);
@@ -170,9 +171,10 @@ TEST(RegisterNdt, FindsTheWeakDirectionOfACorridor) {
     const Eigen::Quaterniond q = QuaternionFromRotationVector({0.0, 0.0, yaw});
     for (int i = 0; i < count; ++i) {
       Gaussian3 gaussian;
-      gaussian.mean = q * Eigen::Vector3d(random.Uniform(-length, length),
-                                          (i % 2 == 0 ? -5.0 : 6.0) + kSigma * random.Normal(),
-                                          random.Uniform(0.0, 3.0));
+      gaussian.mean =
+          q * Eigen::Vector3d(random.Uniform(-length, length),
+                              (i % 2 == 0 ? -5.0 : 6.0) + kStreetSigma * random.Normal(),
+                              random.Uniform(0.0, 3.0));
       gaussian.covariance = 0.05 * Eigen::Matrix3d::Identity();
       gaussians.push_back(gaussian);
     }

@@ -19,7 +19,7 @@ using testing::Patient;
 using testing::PointGaussians;
 using testing::RotationError;
 
-constexpr double kSigma = 0.02;  // noise of the points [m]
+constexpr double kPointSigma = 0.02;  // noise of the points [m]
 
 // Points on the floor, two side walls, an end wall and four pillars of a hall of 40 x 16 x 4 m.
 std::vector<Eigen::Vector3d> HallPoints(int count, Random* random) {
@@ -107,9 +107,10 @@ INSTANTIATE_TEST_SUITE_P(Methods,
 TEST_P(EveryMethod, RecoversTheTruth) {
   Random random(1);
   const Rigid3 T_true{QuaternionFromRotationVector({0.02, -0.03, 1.3}), {3.0, -1.0, 0.6}};
-  const std::vector<Gaussian3> submap = PointGaussians(HallPoints(2500, &random), kSigma, &random);
+  const std::vector<Gaussian3> submap =
+      PointGaussians(HallPoints(2500, &random), kPointSigma, &random);
   const std::vector<Gaussian3> scan =
-      PointGaussians(InFrame(T_true.Inverse(), HallPoints(400, &random)), kSigma, &random);
+      PointGaussians(InFrame(T_true.Inverse(), HallPoints(400, &random)), kPointSigma, &random);
   for (const double side : {-1.0, 1.0}) {
     const Rigid3 T_start{
         QuaternionFromRotationVector(side * Eigen::Vector3d(0.01, -0.01, 0.02)) * T_true.rotation,
@@ -234,10 +235,10 @@ TEST(DopplerIcp, KnowsTheWayAlongACorridor) {
     }
     return points;
   };
-  const std::vector<Gaussian3> submap = PointGaussians(walls(3000), kSigma, &random);
+  const std::vector<Gaussian3> submap = PointGaussians(walls(3000), kPointSigma, &random);
   const Rigid3 T_true{Eigen::Quaterniond::Identity(), {1.0, 0.0, 0.0}};  // 10 m/s, 0.1 s
   const std::vector<Eigen::Vector3d> seen = InFrame(T_true.Inverse(), walls(400));
-  const std::vector<Gaussian3> scan = PointGaussians(seen, kSigma, &random);
+  const std::vector<Gaussian3> scan = PointGaussians(seen, kPointSigma, &random);
   std::vector<RadarReturn> returns;
   for (const Eigen::Vector3d& p : seen) {
     RadarReturn measured;

@@ -12,11 +12,10 @@
 
 #include "radive/sensor/measurement_correction.h"
 #include "radive/sensor/radar_noise_model.h"
+#include "radive/util/angle_units.h"
 
 namespace radive {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(SensorOptions, MountTurnsRollThenPitchThenYaw) {
   SensorOptions sensor;

@@ -7,10 +7,10 @@
 
 #include <cmath>
 
+#include "radive/util/angle_units.h"
+
 namespace radive {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(StreetPath, LengthIsSidesAndCorners) {
   const StreetPath path(270.0, 113.0, 60.0);

@@ -22,7 +22,7 @@ using testing::ScratchFolder;
 
 bool IsOwn(const std::string& name) { return name == "a" || name == "b" || name == "figures"; }
 
-void Write(const fs::path& path, const std::string& text) {
+void WriteInto(const fs::path& path, const std::string& text) {
   fs::create_directories(path.parent_path());
   std::ofstream(path) << text;
 }
@@ -37,12 +37,12 @@ class OutputFolderTest : public ::testing::Test {
  protected:
   // An earlier content of a and b, and a new one of a and figures/.
   void Update(const std::function<void()>& before_publish = {}) {
-    Write(folder_ / "a", "old");
-    Write(folder_ / "b", "old");
+    WriteInto(folder_ / "a", "old");
+    WriteInto(folder_ / "b", "old");
     OutputFolder output;
     ASSERT_TRUE(output.Open(folder_, IsOwn, &error_) && output.Stage(&error_)) << error_;
-    Write(output.staged() / "a", "new");
-    Write(output.staged() / "figures" / "c", "new");
+    WriteInto(output.staged() / "a", "new");
+    WriteInto(output.staged() / "figures" / "c", "new");
     EXPECT_EQ(ReadFile(folder_ / "a"), "old");
     if (before_publish) before_publish();
     ASSERT_TRUE(output.Publish(&error_)) << error_;
@@ -72,13 +72,13 @@ TEST_F(OutputFolderTest, TheCurrentFolderIsUpdatedInItsPlace) {
 }
 
 TEST_F(OutputFolderTest, FilesOfOthersThatComeMeanwhileStay) {
-  Update([this] { Write(folder_ / "log.txt", "mine"); });
+  Update([this] { WriteInto(folder_ / "log.txt", "mine"); });
   EXPECT_EQ(ReadFile(folder_ / "log.txt"), "mine");
   EXPECT_EQ(ReadFile(folder_ / "a"), "new");
 }
 
 TEST_F(OutputFolderTest, FoldersOfOthersThatComeMeanwhileStay) {
-  Update([this] { Write(folder_ / "notes" / "log.txt", "mine"); });
+  Update([this] { WriteInto(folder_ / "notes" / "log.txt", "mine"); });
   EXPECT_EQ(ReadFile(folder_ / "notes" / "log.txt"), "mine");
   EXPECT_EQ(ReadFile(folder_ / "a"), "new");
   EXPECT_FALSE(fs::exists(folder_ / "b"));
@@ -96,7 +96,7 @@ TEST_F(OutputFolderTest, WithoutPublishingNothingHasHappened) {
   {
     OutputFolder output;
     ASSERT_TRUE(output.Open(folder_ / "x" / "y", IsOwn, &error_) && output.Stage(&error_));
-    Write(output.staged() / "a", "new");
+    WriteInto(output.staged() / "a", "new");
   }
   EXPECT_TRUE(Names(scratch_.path()).empty());
 }
@@ -109,7 +109,7 @@ TEST_F(OutputFolderTest, OneProgramAtATime) {
 }
 
 TEST_F(OutputFolderTest, FoldersWithFilesOfOthersAreLeftAlone) {
-  Write(folder_ / "thesis.tex", "years of work");
+  WriteInto(folder_ / "thesis.tex", "years of work");
   EXPECT_FALSE(OutputFolder().Open(folder_, IsOwn, &error_));
   EXPECT_NE(error_.find("it holds thesis.tex"), std::string::npos) << error_;
   EXPECT_EQ(ReadFile(folder_ / "thesis.tex"), "years of work");
@@ -118,23 +118,23 @@ TEST_F(OutputFolderTest, FoldersWithFilesOfOthersAreLeftAlone) {
 // What kills leave: before the exchange, after it, and at three moments of an update in place.
 TEST_F(OutputFolderTest, OpenClearsUpAfterAKill) {
   const auto open = [this] { return OutputFolder().Open(folder_, IsOwn, &error_); };
-  Write(folder_ / "a", "whole");
-  Write(OutputFolder::StagedBeside(folder_) / "a", "other");
-  Write(OutputFolder::StagedBeside(folder_) / "log.txt", "mine");
+  WriteInto(folder_ / "a", "whole");
+  WriteInto(OutputFolder::StagedBeside(folder_) / "a", "other");
+  WriteInto(OutputFolder::StagedBeside(folder_) / "log.txt", "mine");
   ASSERT_TRUE(open()) << error_;
   EXPECT_EQ(ReadFile(folder_ / "a"), "whole");
   EXPECT_EQ(ReadFile(folder_ / "log.txt"), "mine");
   EXPECT_EQ(Names(scratch_.path()), (std::set<std::string>{"out"}));
 
   fs::remove(folder_ / "log.txt");
-  Write(folder_ / ".radive-new" / "a", "half");
+  WriteInto(folder_ / ".radive-new" / "a", "half");
   ASSERT_TRUE(open()) << error_;
   EXPECT_EQ(ReadFile(folder_ / "a"), "whole");
-  Write(folder_ / "b", "whole");
-  Write(folder_ / ".radive-ready" / "a", "new");
+  WriteInto(folder_ / "b", "whole");
+  WriteInto(folder_ / ".radive-ready" / "a", "new");
   ASSERT_TRUE(open()) << error_;
   EXPECT_EQ(ReadFile(folder_ / "a"), "new");
-  Write(folder_ / ".radive-moving" / "b", "newer");
+  WriteInto(folder_ / ".radive-moving" / "b", "newer");
   ASSERT_TRUE(open()) << error_;
   EXPECT_EQ(Names(folder_), (std::set<std::string>{"a", "b"}));
   EXPECT_EQ(ReadFile(folder_ / "b"), "newer");

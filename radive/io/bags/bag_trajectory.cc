@@ -140,7 +140,7 @@ bool ReadPoseMessage(std::string_view payload, const MessageTopic& topic, PoseMe
       !std::isfinite(squared_length)) {
     return false;
   }
-  pose.T_world_body.rotation = RotationOfQuaternion(q[3], q[0], q[1], q[2]);
+  SetRotation(q[3], q[0], q[1], q[2], &pose);
   return true;
 }
 

@@ -4,13 +4,12 @@
 #include "radive/io/bytes/record_file.h"
 
 #include <array>
-#include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <string_view>
 #include <system_error>
 
-#include "radive/util/system_message.h"
+#include "radive/util/read_file.h"
 
 namespace radive {
 namespace {
@@ -57,28 +56,15 @@ bool ReadWholeFile(const std::filesystem::path& path,
     return false;
   }
   if (IsLfsPointer(path, error)) return false;
-  const FilePointer file = OpenFile(path);
-  if (file == nullptr) {
-    *error = path.string() + ": cannot be opened: " + SystemMessage(errno);
-    has_failed = true;
-    return false;
-  }
-  std::array<char, 65536> buffer;
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
-    if (content->size() + count > kLargestFile) {
-      content->clear();
-      *error = path.string() + ": larger than 1 GiB, expected a single scan or a small table";
-      return false;
-    }
-    content->append(buffer.data(), count);
-  }
-  if (std::ferror(file.get()) != 0) {
-    content->clear();
-    *error = path.string() + ": cannot be read: " + SystemMessage(errno);
-    has_failed = true;
-    return false;
-  }
-  return true;
+  std::string reason;
+  if (ReadFileBytes(path, kLargestFile, content, &reason)) return true;
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  const bool is_too_large = !failure && size > kLargestFile;
+  *error = path.string() + (is_too_large
+                                ? ": larger than 1 GiB, expected a single scan or a small table"
+                                : ": cannot be read: " + reason);
+  has_failed = !is_too_large;
+  return false;
 }
 
 std::uint64_t CountRecords(std::uint64_t file_size,

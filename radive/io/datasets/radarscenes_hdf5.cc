@@ -14,6 +14,7 @@
 
 #include "radive/geometry/roll_pitch_yaw.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -46,11 +47,46 @@ bool VisitRows(const Hdf5Table& table, const Visit& visit) {
   return true;
 }
 
+// Looks for rows of a radar that are not in the order of time, or not with the rest of their scan.
+class RowOrder {
+ public:
+  explicit RowOrder(int radar) : radar_(radar) {}
+
+  void Add(double time, std::optional<int> sensor, std::uint64_t row) {
+    const bool begins_scan = time != time_ || sensor != sensor_;
+    const bool is_ours = sensor == radar_ || sensor_ == radar_;
+    const bool shares_time = time == time_ && sensor != sensor_ && is_ours;
+    const bool is_again = begins_scan && sensor == radar_ && !times_.insert(time).second;
+    if (!sensor || !(time >= time_) || shares_time || is_again) {
+      if (num_odd_++ == 0) first_odd_ = row;
+    }
+    time_ = time;
+    sensor_ = sensor;
+  }
+
+  // Empty: there are none.
+  std::string Warning() const {
+    if (num_odd_ == 0) return "";
+    return std::to_string(num_odd_) +
+           " rows are not in the order of time, lie apart from the rest of their scan or are of no "
+           "radar, the first is row " +
+           std::to_string(first_odd_) + "; scans may be lost, or split";
+  }
+
+ private:
+  const int radar_;
+  double time_ = -HUGE_VAL;  // of the row before
+  std::optional<int> sensor_ = -1;
+  std::set<double> times_;  // of the scans
+  std::uint64_t num_odd_ = 0;
+  std::uint64_t first_odd_ = 0;
+};
+
 bool IsStamp(double microseconds) { return std::abs(microseconds) < kLatest; }
 
 // NaN and hostile numbers are no sensor.
 std::optional<int> SensorOf(double number) {
-  if (!(number >= 0.0 && number <= 999.0)) return std::nullopt;
+  if (!(number >= 0.0 && number <= 999.0) || number != std::floor(number)) return std::nullopt;
   return static_cast<int>(number);
 }
 
@@ -103,8 +139,10 @@ std::unique_ptr<RadarScenesHdf5Source> RadarScenesHdf5Source::Open(const fs::pat
 bool RadarScenesHdf5Source::FindScans(std::vector<int>* radars, std::string* error) {
   std::set<int> found;
   bool has_stamps = true;
+  RowOrder order(radar_);
   const bool is_read = VisitRows(*table_, [&](double time, double sensor, std::uint64_t row) {
     const std::optional<int> radar = SensorOf(sensor);
+    order.Add(time, radar, row);
     if (!radar) return;
     found.insert(*radar);
     if (*radar != radar_) return;
@@ -119,10 +157,31 @@ bool RadarScenesHdf5Source::FindScans(std::vector<int>* radars, std::string* err
     }
   });
   radars->assign(found.begin(), found.end());
-  if (is_read && has_stamps) return true;
+  if (is_read && has_stamps) {
+    const std::string doubt = order.Warning();
+    if (!doubt.empty())
+      warnings_.push_back(file_.string() + ": data set " + kDetections + ": " + doubt);
+    CompareWithOdometry();
+    return true;
+  }
   *error = file_.string() + ": data set " + kDetections +
            (is_read ? ": expected microseconds in timestamp" : " cannot be read");
   return false;
+}
+
+// A table that has lost its end is whole in itself, but not beside the odometry.
+void RadarScenesHdf5Source::CompareWithOdometry() {
+  constexpr double kMostMissing = 1.0;  // [s]
+  std::string ignored;
+  const auto poses = ReadRadarScenesOdometry(file_, &ignored);
+  if (scans_.empty() || !poses) return;
+  const double late_start = StampSeconds(scans_.front().stamp_ns) - poses->front().stamp_s;
+  const double early_end = poses->back().stamp_s - StampSeconds(scans_.back().stamp_ns);
+  if (late_start <= kMostMissing && early_end <= kMostMissing) return;
+  const auto seconds = [](double t) { return FormatText("%.3g s", std::max(0.0, t)); };
+  warnings_.push_back(file_.string() + ": the detections of radar " + std::to_string(radar_) +
+                      " begin " + seconds(late_start) + " after the odometry and end " +
+                      seconds(early_end) + " before it; scans may be lost");
 }
 
 ScanSource::Status RadarScenesHdf5Source::PassOver(RadarScan* scan) {

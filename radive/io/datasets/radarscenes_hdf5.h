@@ -49,6 +49,7 @@ class RadarScenesHdf5Source : public ScanSource {
                         int radar,
                         const InputOptions& options);
   bool FindScans(std::vector<int>* radars, std::string* error);
+  void CompareWithOdometry();
 
   const std::unique_ptr<Hdf5Table> table_;
   const std::filesystem::path file_;

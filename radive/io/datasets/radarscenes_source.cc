@@ -131,14 +131,33 @@ bool RadarScenesSource::ReadTable(std::string* error) {
          ParseRadarScenesTable(text, table_path_.string(), &entries_, error);
 }
 
-bool RadarScenesSource::CheckRows(std::uint64_t num_rows, std::string* error) const {
+// Each row of the file belongs to one scan, in their order; else lines or rows were lost.
+bool RadarScenesSource::CheckRows(std::uint64_t num_rows, std::string* error) {
+  int num_apart = 0;
+  std::string first_apart;
+  std::uint64_t end = 0;
+  const auto expect = [&](std::uint64_t row, int line) {
+    if (row != end && num_apart++ == 0) {
+      first_apart = ":" + std::to_string(line) + ": the rows before it end with " +
+                    std::to_string(end) + ", not " + std::to_string(row);
+    }
+  };
   for (const RadarScenesScan& entry : entries_) {
+    expect(entry.first_point, entry.line);
+    end = entry.first_point + entry.num_points;
     if (entry.num_points <= num_rows && entry.first_point <= num_rows - entry.num_points) continue;
     *error = table_path_.string() + ":" + std::to_string(entry.line) + ": first_point " +
              std::to_string(entry.first_point) + " and num_points " +
              std::to_string(entry.num_points) + " reach beyond the " + std::to_string(num_rows) +
              " rows of " + points_->path().string();
     return false;
+  }
+  expect(num_rows, entries_.back().line + 1);
+  if (num_apart > 0) {
+    warnings_.push_back(table_path_.string() + first_apart + " (" + std::to_string(num_apart) +
+                        " such places): the scans do not share out the " +
+                        std::to_string(num_rows) + " rows of " + points_->path().string() +
+                        ", so lines or rows are lost or damaged");
   }
   return true;
 }

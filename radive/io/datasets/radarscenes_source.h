@@ -49,7 +49,7 @@ class RadarScenesSource : public ScanSource {
 
   explicit RadarScenesSource(const InputOptions& options);
   bool ReadTable(std::string* error);
-  bool CheckRows(std::uint64_t num_rows, std::string* error) const;
+  bool CheckRows(std::uint64_t num_rows, std::string* error);
 
   int radar_ = 0;
   std::filesystem::path table_path_;

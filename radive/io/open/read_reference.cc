@@ -21,6 +21,7 @@
 #include "radive/io/datasets/vod_poses.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/find_pose_columns.h"
 #include "radive/io/trajectories/pose_names.h"
 #include "radive/io/trajectories/pose_table.h"
@@ -204,8 +205,7 @@ std::optional<Found> Detect(const fs::path& path, ReferenceFormat format, std::s
     return std::nullopt;
   }
   if (format == ReferenceFormat::kVod) {
-    if (const auto poses = FindVodPoses(path)) return Found{*poses, format};
-    return Found{path, format};
+    return Found{FindVodPoses(path).value_or(path), format};
   }
   if (format != ReferenceFormat::kAuto) return Found{path, format};
   return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
@@ -222,11 +222,8 @@ bool ReadText(const fs::path& file,
               TrajectoryFormat format,
               Reference* reference,
               std::string* error) {
-  auto poses = ReadTrajectory(file, format, error);
-  if (!poses) return false;
-  reference->poses = *std::move(poses);
-  reference->has_stamps = format != TrajectoryFormat::kKitti;
-  return true;
+  return ReadPoses(
+      ReadTrajectory(file, format, error), format != TrajectoryFormat::kKitti, reference);
 }
 
 bool ReadTable(const fs::path& file,
@@ -384,15 +381,18 @@ std::optional<Reference> ReadReference(const fs::path& path,
                                        int clip,
                                        std::string* error) {
   const std::optional<Found> found = Detect(path, options.format, error);
-  if (!found) return std::nullopt;
   Reference reference;
-  if (!Read(*found, options, clip, &reference, error)) return std::nullopt;
-  if (reference.description.empty()) {
-    reference.description = NameOf(found->format) + ", " + found->path.string();
+  if (!found || !Read(*found, options, clip, &reference, error) ||
+      !CheckPoses(reference.poses, found->path.string(), error)) {
+    return std::nullopt;
   }
-  reference.description = std::to_string(reference.poses.size()) +
-                          (reference.has_rotations ? " poses (" : " places (") +
-                          reference.description + ")";
+  reference.warnings = DoubtsAboutPoses(
+      reference.poses, reference.has_stamps, reference.has_rotations, found->path.string());
+  if (reference.description.empty())
+    reference.description = NameOf(found->format) + ", " + found->path.string();
+  const char* const what = reference.has_rotations ? " poses (" : " places (";
+  reference.description =
+      std::to_string(reference.poses.size()) + what + reference.description + ")";
   return reference;
 }
 

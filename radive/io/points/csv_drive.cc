@@ -84,10 +84,8 @@ std::optional<CsvDrive> SplitCsvDrive(std::string_view text) {
       std::size_t num_lines = 0;
       std::vector<CsvScan> scans = Group(text, line_begin, *head, i, &num_lines);
       if (scans.size() < 2 || num_lines < kFewestLines * scans.size()) continue;
-      return CsvDrive{std::string(head->names[i]),
-                      are_times,
-                      text.substr(0, line_begin),
-                      std::move(scans)};
+      return CsvDrive{
+          std::string(head->names[i]), are_times, text.substr(0, line_begin), std::move(scans)};
     }
   }
   return std::nullopt;

@@ -25,10 +25,10 @@ struct CsvDrive {
   std::vector<CsvScan> scans;
 };
 
-// Takes a table of points of many scans apart, by its column of frames (frame, scan, sweep ..., with
-// _id, _index or _number behind) or of times. Nothing when all lines have the same value there, when
-// there are fewer than three lines to a value (times of single points), and when there is no such
-// column. The views refer to `text`.
+// Takes a table of points of many scans apart, by its column of frames (frame, scan, sweep ...,
+// with _id, _index or _number behind) or of times. Nothing when all lines have the same value
+// there, when there are fewer than three lines to a value (times of single points), and when there
+// is no such column. The views refer to `text`.
 std::optional<CsvDrive> SplitCsvDrive(std::string_view text);
 
 }  // namespace radive

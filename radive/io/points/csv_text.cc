@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "radive/io/bytes/number_text.h"
+#include "radive/io/points/point_table.h"
 
 namespace radive {
 namespace {
-
-constexpr std::size_t kMostColumns = 1000;
 
 char DelimiterOf(std::string_view line) {
   for (const char delimiter : {';', '\t', ',', '|'}) {

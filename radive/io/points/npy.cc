@@ -68,7 +68,8 @@ std::string Advice(std::string_view descr, std::string_view shape) {
     return "; a structured array: save its columns side by side, as " +
            std::string("numpy.lib.recfunctions.structured_to_unstructured does");
   }
-  if (descr.substr(1, 2) == "|O" || descr.substr(1, 1) == "O") {
+  const std::string_view type = descr.substr(std::min<std::size_t>(1, descr.size()));
+  if (type.substr(0, 2) == "|O" || type.substr(0, 1) == "O") {
     return "; it holds pickled Python objects, which are not read";
   }
   NpyHeader ignored;

@@ -78,8 +78,7 @@ ScanSource::Status CsvDriveSource::PassOver(RadarScan* scan) {
   scan->has_doppler = false;
   scan->is_planar = false;
   scan->returns.clear();
-  scan->place =
-      file_.string() + ": " + drive_.column + " " + std::string(drive_.scans[next_].key);
+  scan->place = file_.string() + ": " + drive_.column + " " + std::string(drive_.scans[next_].key);
   ++next_;
   return Status::kScan;
 }

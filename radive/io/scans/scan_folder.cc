@@ -81,7 +81,8 @@ void LeaveOutForeign(const ScanFolderQuery& query, ScanFolder* folder) {
   folder->warnings.push_back(std::move(warning));
 }
 
-// Those of the candidates that hold scans; `left_out` gets the warnings on all of them. False when one cannot be listed.
+// Those of the candidates that hold scans; `left_out` gets the warnings on all of them. False when
+// one cannot be listed.
 bool FindWithScans(const std::vector<fs::path>& candidates,
                    const ScanFolderQuery& query,
                    std::vector<ScanFolder>* found,
@@ -248,8 +249,8 @@ std::vector<double> PositionsOf(ScanFolder* folder) {
   if (numbers.size() < 3 || !WhyNotConsecutive(folder->names).empty()) return positions;
   const std::vector<std::int64_t> steps = StepsOf(numbers);
   const std::int64_t step = *std::min_element(steps.begin(), steps.end());
-  const auto first_gap = std::find_if(
-      steps.begin(), steps.end(), [&](std::int64_t other) { return other != step; });
+  const auto first_gap =
+      std::find_if(steps.begin(), steps.end(), [&](std::int64_t other) { return other != step; });
   if (step <= 0 || first_gap == steps.end()) return positions;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     positions[i] = static_cast<double>(numbers[i] - numbers[0]) / static_cast<double>(step);

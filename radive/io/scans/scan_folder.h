@@ -59,11 +59,12 @@ struct ScanFolder {
 // 1. times.txt or timestamps.txt beside the scans, in the folder above them or in `root`: one stamp
 //    a scan, see ReadStampFile(); or the first column of ref_poses.txt there (Doppler-ICP);
 // 2. the names, if all hold stamps, see StampsOfNames(); the scans are then in their order;
-// 3. position / rate, where a number that is missing in the names keeps its place; a rate that is not known is kAssumedRate, with a warning.
-// Hidden files are left out, and with a warning what is no scan, see TakeOutForeign(). `root` may be one scan file as well. Nothing, with the place and what
-// was expected there in `error`, when `root` is no folder, there are no scans or several folders
-// with scans, when the number of lines of the file of stamps is not that of the scans, or when
-// every scan is a Git-LFS pointer.
+// 3. position / rate, where a number that is missing in the names keeps its place; a rate that is
+// not known is kAssumedRate, with a warning. Hidden files are left out, and with a warning what is
+// no scan, see TakeOutForeign(). `root` may be one scan file as well. Nothing, with the place and
+// what was expected there in `error`, when `root` is no folder, there are no scans or several
+// folders with scans, when the number of lines of the file of stamps is not that of the scans, or
+// when every scan is a Git-LFS pointer.
 std::optional<ScanFolder> OpenScanFolder(const std::filesystem::path& root,
                                          const ScanFolderQuery& query,
                                          std::string* error);

@@ -24,7 +24,7 @@ constexpr std::size_t kSeconds = 0;
 constexpr std::size_t kNanoseconds = 3;
 
 // Intervals of radars [s]. Less than a factor 1000 apart: at most one unit fits.
-constexpr double kShortestInterval = 0.01;
+constexpr double kShortestUsualInterval = 0.01;
 constexpr double kLongestInterval = 1.0;
 // ... with a margin, for the unit that numbers of this form have by default.
 constexpr double kMargin = 2.5;
@@ -101,8 +101,9 @@ Choice ChooseUnit(const Numbers& numbers) {
     choice.unit = i;
     choice.has_date = IsWithin(numbers.median * scale, kFirstDate, kLastDate) &&
                       numbers.step * scale <= kLongestPause;
-    choice.has_interval = IsWithin(
-        numbers.step * scale, kShortestInterval / margin * (1.0 - 1e-9), kLongestInterval * margin);
+    choice.has_interval = IsWithin(numbers.step * scale,
+                                   kShortestUsualInterval / margin * (1.0 - 1e-9),
+                                   kLongestInterval * margin);
     // Between stamps that repeat there are no intervals of scans.
     const bool is_interval = numbers.repeat_share <= kLostPrecision;
     const int score = (choice.has_date ? (is_interval ? 1 : 2) : 0) +
@@ -148,7 +149,7 @@ bool SpreadRepeats(std::vector<std::int64_t>* stamps_ns) {
     }
   }
   const double usual = Median(intervals);
-  if (!IsWithin(usual * 1e-9, kShortestInterval / kMargin, kLongestInterval * kMargin)) {
+  if (!IsWithin(usual * 1e-9, kShortestUsualInterval / kMargin, kLongestInterval * kMargin)) {
     return false;
   }
   const std::vector<std::int64_t> stored = *stamps_ns;

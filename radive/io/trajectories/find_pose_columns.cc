@@ -18,7 +18,7 @@ namespace radive {
 namespace {
 
 // How far the squared length of a quaternion in a file may be from 1.
-constexpr double kUnitTolerance = 0.01;
+constexpr double kNormTolerance = 0.01;
 // ... and R R^T from the identity: files have few digits.
 constexpr double kRotationTolerance = 0.02;
 
@@ -28,14 +28,14 @@ constexpr char kAdvice[] =
 
 // The lines in front of the numbers, and the numbers.
 struct Table {
-  std::vector<std::string_view> heads;   // comments and a line of names, without their signs
-  std::string_view uncommented;          // the line of names, when it is no comment
-  int first_line = 0;                    // with numbers
+  std::vector<std::string_view> heads;  // comments and a line of names, without their signs
+  std::string_view uncommented;         // the line of names, when it is no comment
+  int first_line = 0;                   // with numbers
   std::string_view first;
-  char delimiter = '\0';                 // see PoseColumns
-  bool has_points = false;               // decimal points, anywhere
-  std::vector<std::vector<double>> rows; // NaN for what is no number
-  std::size_t width = 0;                 // of each row; 0: they differ
+  char delimiter = '\0';                  // see PoseColumns
+  bool has_points = false;                // decimal points, anywhere
+  std::vector<std::vector<double>> rows;  // NaN for what is no number
+  std::size_t width = 0;                  // of each row; 0: they differ
 };
 
 bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -97,7 +97,7 @@ bool InAllRows(const Table& table, std::size_t end, const Test& test) {
 bool IsUnit(const Table& table, std::size_t first) {
   return InAllRows(table, first + 4, [&](const std::vector<double>& row) {
     const double* q = row.data() + first;
-    return std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) < kUnitTolerance;
+    return std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) < kNormTolerance;
   });
 }
 
@@ -250,7 +250,8 @@ std::optional<PoseColumns> FindPoseColumns(std::string_view text,
   const bool is_only_commas = table.first.find(',') != std::string_view::npos &&
                               table.delimiter == '\0' && !table.has_points;
   if (is_only_commas && (table.width == 16 || table.width == 24)) {
-    *error = where + Widths(table) + " of whole numbers between commas: are these decimal commas? " +
+    *error = where + Widths(table) +
+             " of whole numbers between commas: are these decimal commas? " +
              "Separate the columns by semicolons, found " + Quoted(table.first);
     return std::nullopt;
   }

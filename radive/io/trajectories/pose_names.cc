@@ -47,10 +47,10 @@ Name NormalName(std::string_view raw) {
   return name;
 }
 
-using Names = std::vector<Name>;
+using NameList = std::vector<Name>;
 
 // The first column with one of `names`, or one that ends in _ and one of `ends`; -1: none.
-int Find(const Names& columns,
+int Find(const NameList& columns,
          const std::vector<std::string>& names,
          const std::vector<std::string>& ends = {}) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -94,7 +94,7 @@ std::optional<int> TakeTimeUnit(Name* name) {
   return exponent;
 }
 
-void FindStamp(const Names& names, PoseColumns* columns) {
+void FindStamp(const NameList& names, PoseColumns* columns) {
   const int seconds = Find(names, {"sec", "secs", "seconds"}, {"stamp_sec", "stamp_secs"});
   const int nanoseconds = Find(names,
                                {"nsec", "nsecs", "nanosec", "nanosecs", "nanoseconds"},
@@ -104,11 +104,12 @@ void FindStamp(const Names& names, PoseColumns* columns) {
     columns->nanoseconds = nanoseconds;
     return;
   }
-  Names without_units = names;
+  NameList without_units = names;
   std::vector<std::optional<int>> exponents;
   for (Name& name : without_units) exponents.push_back(TakeTimeUnit(&name));
-  columns->stamp = Find(
-      without_units, {"timestamp", "timestamps", "time", "t", "stamp", "rostime"}, {"header_stamp"});
+  columns->stamp = Find(without_units,
+                        {"timestamp", "timestamps", "time", "t", "stamp", "rostime"},
+                        {"header_stamp"});
   if (columns->stamp < 0) columns->stamp = seconds;
   if (columns->stamp < 0) return;
   const std::optional<int> exponent = exponents[static_cast<std::size_t>(columns->stamp)];
@@ -117,7 +118,7 @@ void FindStamp(const Names& names, PoseColumns* columns) {
 }
 
 // Rotation matrices count from 0 or from 1.
-void FindMatrix(const Names& names, PoseColumns* columns) {
+void FindMatrix(const NameList& names, PoseColumns* columns) {
   for (const int first : {0, 1}) {
     std::array<int, 9> found;
     for (int i = 0; i < 9; ++i) {
@@ -133,7 +134,7 @@ void FindMatrix(const Names& names, PoseColumns* columns) {
   }
 }
 
-void FindAngles(Names names, PoseColumns* columns) {
+void FindAngles(NameList names, PoseColumns* columns) {
   std::string unit;
   for (Name& name : names) {
     for (const char* end : {"deg", "rad"}) {
@@ -142,7 +143,8 @@ void FindAngles(Names names, PoseColumns* columns) {
       name.text.resize(name.text.size() - 4);
     }
   }
-  columns->angles = {Find(names, {}, {"roll"}), Find(names, {}, {"pitch"}), Find(names, {}, {"yaw"})};
+  columns->angles = {
+      Find(names, {}, {"roll"}), Find(names, {}, {"pitch"}), Find(names, {}, {"yaw"})};
   if (!AreThere(columns->angles)) {
     columns->angles = {-1, -1, -1};
     return;
@@ -182,15 +184,21 @@ std::vector<std::string_view> SplitNames(std::string_view line) {
 }
 
 std::optional<PoseColumns> ColumnsByName(const std::vector<std::string_view>& raw_names) {
-  Names names;
+  NameList names;
   for (const std::string_view name : raw_names) names.push_back(NormalName(name));
   PoseColumns columns;
   FindStamp(names, &columns);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
     columns.position[i] = Find(names,
-                               {axis, "t" + axis, "p" + axis, "p_" + axis, "t_" + axis,
-                                "pos_" + axis, axis + "_m", "p_rs_r_" + axis},
+                               {axis,
+                                "t" + axis,
+                                "p" + axis,
+                                "p_" + axis,
+                                "t_" + axis,
+                                "pos_" + axis,
+                                axis + "_m",
+                                "p_rs_r_" + axis},
                                {"position_" + axis, "translation_" + axis});
   }
   for (std::size_t i = 0; i < 4; ++i) {

@@ -14,6 +14,7 @@
 #include "radive/geometry/roll_pitch_yaw.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/pose_text.h"
 
 namespace radive {
@@ -95,15 +96,13 @@ bool SetPose(const Words& words, const PoseColumns& columns, RecordedPose* pose,
     pose->T_world_body.rotation = rows.leftCols<3>();
     pose->T_world_body.translation = rows.col(3);
   } else if (IsThere(q[0])) {
-    pose->T_world_body.rotation =
-        RotationOfQuaternion(value(q[3]), value(q[0]), value(q[1]), value(q[2]));
+    SetRotation(value(q[3]), value(q[0]), value(q[1]), value(q[2]), pose);
   } else {
     const std::array<int, 3>& a = columns.angles;
-    pose->T_world_body.rotation =
-        RotationOfAngles({columns.angle_unit * value(a[0]),
-                          columns.angle_unit * value(a[1]),
-                          columns.angle_unit * value(a[2])},
-                         columns.angles_are_passive);
+    pose->T_world_body.rotation = RotationOfAngles({columns.angle_unit * value(a[0]),
+                                                    columns.angle_unit * value(a[1]),
+                                                    columns.angle_unit * value(a[2])},
+                                                   columns.angles_are_passive);
   }
   if (*bad < 0 && IsThere(columns.stamp) && !SetStamp(words, columns, pose)) *bad = columns.stamp;
   return *bad < 0;
@@ -182,6 +181,11 @@ bool ParsePoseTable(std::string_view text,
     if (std::exchange(is_names, false)) continue;
     const Words words = SplitPoseLine(line, columns.delimiter);
     const std::string where = place + ":" + std::to_string(lines.number());
+    std::string problem;
+    if (columns.delimiter == '\0' && HasDecimalCommas(line, &problem)) {
+      *error = where + ": " + problem;
+      return false;
+    }
     if (words.size() < num_needed) {
       *error = where + ": expected at least " + std::to_string(num_needed) + " columns, found " +
                std::to_string(words.size());
@@ -193,6 +197,10 @@ bool ParsePoseTable(std::string_view text,
                (bad == columns.stamp ? "a stamp within 292 years of zero" : "a finite number") +
                " in column " + std::to_string(bad + 1) + ", found " +
                Quoted(words[static_cast<std::size_t>(bad)]);
+      return false;
+    }
+    if (!CheckPose(poses->back(), &problem)) {
+      *error = where + ": " + problem;
       return false;
     }
   }

@@ -31,8 +31,8 @@ struct PoseColumns {
   // Rx(-roll) Ry(-pitch) Rz(-yaw) instead of Rz(yaw) Ry(pitch) Rx(roll).
   bool angles_are_passive = false;
 
-  // What separates the columns: ';' or ' ' (any blanks), where commas are decimal commas; 0: blanks,
-  // tabs, commas and semicolons alike.
+  // What separates the columns: ';' or ' ' (any blanks), where commas are decimal commas; 0:
+  // blanks, tabs, commas and semicolons alike.
   char delimiter = '\0';
 
   // The first line with anything in it holds the names of the columns.
@@ -52,9 +52,10 @@ PoseColumns ColoRadarColumns();
 // The columns of a line as `delimiter` of PoseColumns says, decimal commas made points.
 std::vector<std::string> SplitPoseLine(std::string_view line, char delimiter);
 
-// Reads such a table: empty lines and those that start with # or % are left out; stamps of more than 15 digits without a point are
-// nanoseconds. False, with "PLACE:LINE: what was expected, what was found" in `error`, when a line
-// has not all the columns or one of them is no finite number, and when there are no poses.
+// Reads such a table: empty lines and those that start with # or % are left out; stamps of more
+// than 15 digits without a point are nanoseconds. False, with "PLACE:LINE: what was expected, what
+// was found" in `error`, when a line has not all the columns or one of them is no finite number,
+// and when there are no poses.
 bool ParsePoseTable(std::string_view text,
                     const PoseColumns& columns,
                     const std::string& place,

@@ -15,6 +15,7 @@
 
 #include "radive/geometry/matrix_pose.h"
 #include "radive/io/bytes/number_text.h"
+#include "radive/sensor/recorded_trajectory.h"
 
 namespace radive {
 
@@ -47,13 +48,14 @@ inline bool HoldsNamesOnly(std::string_view line) {
   });
 }
 
-// Rotation matrix of a quaternion of any length; identity for (almost) zero ones, as evo has it.
-inline Eigen::Matrix3d RotationOfQuaternion(double w, double x, double y, double z) {
+// Sets the rotation of a quaternion of any length, and that length; identity for (almost) zero
+// ones, as evo has it.
+inline void SetRotation(double w, double x, double y, double z, RecordedPose* pose) {
   const Eigen::Quaterniond q(w, x, y, z);
-  if (q.squaredNorm() < 4.0 * std::numeric_limits<double>::epsilon()) {
-    return Eigen::Matrix3d::Identity();
-  }
-  return q.normalized().toRotationMatrix();
+  const bool is_zero = q.squaredNorm() < 4.0 * std::numeric_limits<double>::epsilon();
+  pose->quaternion_norm = is_zero ? 0.0 : q.norm();
+  pose->T_world_body.rotation =
+      is_zero ? Eigen::Matrix3d::Identity() : q.normalized().toRotationMatrix();
 }
 
 // The pose with the rows [R | t]. Files have six digits or so: R is made a rotation. False when it

@@ -10,6 +10,7 @@
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/util/number_text.h"
 
@@ -49,6 +50,7 @@ bool ParsePose(std::string_view line,
                TrajectoryFormat format,
                RecordedPose* pose,
                std::string* problem) {
+  if (HasDecimalCommas(line, problem)) return false;
   const LineForm form = FormOf(format);
   const std::vector<std::string_view> words = SplitColumns(line);
   const bool enough = words.size() >= form.num_values;
@@ -72,17 +74,20 @@ bool ParsePose(std::string_view line,
   if (format == TrajectoryFormat::kKitti) {
     pose->T_world_body.rotation << v[0], v[1], v[2], v[4], v[5], v[6], v[8], v[9], v[10];
     pose->T_world_body.translation << v[3], v[7], v[11];
-    return true;
+    return CheckPose(*pose, problem);
   }
   if (!ReadStamp(words[0], v[0], format, pose)) {
     *problem = "expected a stamp within 292 years of zero, found '" + std::string(words[0]) + "'";
     return false;
   }
   pose->T_world_body.translation << v[1], v[2], v[3];
-  pose->T_world_body.rotation = format == TrajectoryFormat::kEuroc
-                                    ? RotationOfQuaternion(v[4], v[5], v[6], v[7])
-                                    : RotationOfQuaternion(v[7], v[4], v[5], v[6]);
-  return true;
+  const bool is_scalar_first = format == TrajectoryFormat::kEuroc;
+  if (is_scalar_first) {
+    SetRotation(v[4], v[5], v[6], v[7], pose);
+  } else {
+    SetRotation(v[7], v[4], v[5], v[6], pose);
+  }
+  return CheckPose(*pose, problem);
 }
 
 bool WriteLines(const std::filesystem::path& file,

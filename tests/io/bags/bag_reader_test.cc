@@ -15,9 +15,13 @@
 #include <vector>
 
 #include "radive/io/bags/mcap_reader.h"
+#include "radive/io/bags/open_bag_file.h"
+#include "radive/io/bags/open_message_source.h"
 #include "radive/io/bags/ros1_bag_reader.h"
 #include "radive/io/bags/rosbag2_folder.h"
 #include "radive/io/bags/sqlite_bag_reader.h"
+#include "radive/io/bytes/compression.h"
+#include "radive/io/bytes/record_file.h"
 #include "radive/io/points/point_table.h"
 #include "tests/io/bags/bag_files.h"
 #include "tests/scratch_folder.h"
@@ -377,6 +381,81 @@ TEST(Rosbag2Metadata, SaysWhatItDoesNotKnow) {
   for (const char* text : {"", "[", "1", "[1]", "a: b", "rosbag2_bagfile_information: 1"}) {
     EXPECT_FALSE(ParseRosbag2Metadata(text, &metadata, &error)) << text;
     EXPECT_NE(error, "");
+  }
+}
+
+TEST(OpenBagFile, NamesOfBags) {
+  EXPECT_EQ(BagFormatOfName("a.bag"), BagFormat::kRosbag1);
+  EXPECT_EQ(BagFormatOfName("a.bag.active"), BagFormat::kRosbag1);
+  EXPECT_EQ(BagFormatOfName("A_0.DB3"), BagFormat::kRosbag2);
+  EXPECT_EQ(BagFormatOfName("a_0.db3.zstd"), BagFormat::kRosbag2);
+  EXPECT_EQ(BagFormatOfName("a.mcap.zst"), BagFormat::kMcap);
+  for (const char* name : {"bag", ".bag", "a.zstd", "a.bag.orig", "a.db3-wal", "a.pcd.zst"}) {
+    EXPECT_FALSE(BagFormatOfName(name)) << name;
+  }
+}
+
+// Each part once: unpacked or closed where it is there in both forms.
+TEST(OpenBagFile, ListsEachPartOnce) {
+  const ScratchFolder folder;
+  for (const char* name : {"b_10.bag",
+                           "b_2.bag.active",
+                           "b_10.bag.active",
+                           "c_1.db3.zstd",
+                           "c_1.db3",
+                           "c_0.db3.ZSTD",
+                           "d.txt"}) {
+    std::ofstream(folder.path() / name) << "x";
+  }
+  const auto names = [&](BagFormat format) {
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> found;
+    std::string error;
+    EXPECT_TRUE(ListBagFiles(folder.path(), format, &files, &error)) << error;
+    for (const auto& file : files) found.push_back(file.filename().string());
+    return found;
+  };
+  EXPECT_THAT(names(BagFormat::kRosbag1), ElementsAre("b_2.bag.active", "b_10.bag"));
+  EXPECT_THAT(names(BagFormat::kRosbag2), ElementsAre("c_0.db3.ZSTD", "c_1.db3"));
+}
+
+// Packed as a whole, with and without the others of its folder, and without a metadata.yaml.
+TEST(OpenBagFile, PackedFilesAreUnpacked) {
+  for (const BagForm& form :
+       {BagForm{"a.mcap", BagFormat::kMcap}, BagForm{"a.db3", BagFormat::kRosbag2}}) {
+    const ScratchFolder folder;
+    const std::filesystem::path plain = folder.path() / form.name;
+    WriteTimes(plain, form, {1, 2, 3});
+    std::filesystem::path file = plain;
+    if (std::filesystem::is_directory(plain)) {  // a rosbag 2 is written as a folder
+      for (const auto& entry : std::filesystem::directory_iterator(plain)) {
+        if (entry.path().extension() == ".db3") file = entry.path();
+      }
+    }
+    std::string content, error;
+    ASSERT_TRUE(ReadWholeFile(file, &content, &error)) << error;
+    std::filesystem::remove_all(plain);
+    const std::filesystem::path packed = plain.string() + ".zstd";
+    std::ofstream(packed, std::ios::binary) << Compress(Compression::kZstd, content);
+    EXPECT_THAT(Times(ReadMessages(OpenFile(packed, form.format).get())), ElementsAre(1, 2, 3));
+    EXPECT_THAT(Times(ReadMessages(OpenFile(folder.path(), form.format).get())),
+                ElementsAre(1, 2, 3));
+    std::ofstream(folder.path() / "metadata.yaml") << "";  // of a recorder that was cut off
+    EXPECT_THAT(Times(ReadMessages(OpenFile(folder.path(), form.format).get())),
+                ElementsAre(1, 2, 3));
+  }
+}
+
+TEST(OpenBagFile, SaysWhatArchivesAre) {
+  const ScratchFolder folder;
+  std::string error;
+  for (const auto& [start, word] : {std::pair("\x1F\x8B\x08", "gzip"),
+                                    std::pair("BZh9", "bzip2"),
+                                    std::pair("PK\x03\x04", "zip"),
+                                    std::pair("", "empty")}) {
+    std::ofstream(folder.path() / "a.bag", std::ios::binary) << start;
+    EXPECT_EQ(OpenBagFile(folder.path() / "a.bag", {}, &error), nullptr);
+    EXPECT_THAT(error, AllOf(HasSubstr("a.bag: neither"), HasSubstr(word)));
   }
 }
 

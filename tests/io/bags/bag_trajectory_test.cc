@@ -18,23 +18,17 @@ namespace {
 
 using ::testing::HasSubstr;
 
-template <typename Number>
-std::string Bytes(Number value) {
-  std::string bytes;
-  AppendLittleEndian(value, &bytes);
-  return bytes;
-}
-std::string U32(std::uint32_t value) { return Bytes(value); }
-
 // Header with stamp SECONDS.5 and frame "map".
 std::string Header(std::uint32_t seconds, bool is_ros1) {
-  return (is_ros1 ? U32(7) : std::string("\0\1\0\0", 4)) + U32(seconds) + U32(500000000) +
-         (is_ros1 ? U32(3) + "map" : U32(4) + std::string("map\0", 4));
+  return (is_ros1 ? LittleEndian<std::uint32_t>(7) : std::string("\0\1\0\0", 4)) +
+         LittleEndian<std::uint32_t>(seconds) + LittleEndian<std::uint32_t>(500000000) +
+         (is_ros1 ? LittleEndian<std::uint32_t>(3) + "map"
+                  : LittleEndian<std::uint32_t>(4) + std::string("map\0", 4));
 }
 
 std::string Doubles(std::initializer_list<double> values) {
   std::string bytes;
-  for (const double value : values) bytes += Bytes(value);
+  for (const double value : values) bytes += LittleEndian(value);
   return bytes;
 }
 
@@ -49,11 +43,14 @@ TEST(BagTrajectory, ReadsPosesOfBothGenerations) {
       {Topic("geometry_msgs/PoseStamped"), Header(9, true) + numbers},
       // In CDR the body of the header is 16 bytes long, so the doubles need no padding.
       {Topic("geometry_msgs/msg/PoseWithCovarianceStamped", "cdr"), Header(9, false) + numbers},
-      {Topic("nav_msgs/Odometry"), Header(9, true) + U32(4) + "base" + numbers},
+      {Topic("nav_msgs/Odometry"),
+       Header(9, true) + LittleEndian<std::uint32_t>(4) + "base" + numbers},
       // The child frame takes 9 bytes: 7 of padding up to the doubles.
       {Topic("nav_msgs/msg/Odometry", "cdr"),
-       Header(9, false) + U32(5) + std::string("base\0", 5) + std::string(7, 'x') + numbers},
-      {Topic("geometry_msgs/TransformStamped"), Header(9, true) + U32(4) + "base" + numbers},
+       Header(9, false) + LittleEndian<std::uint32_t>(5) + std::string("base\0", 5) +
+           std::string(7, 'x') + numbers},
+      {Topic("geometry_msgs/TransformStamped"),
+       Header(9, true) + LittleEndian<std::uint32_t>(4) + "base" + numbers},
   };
   for (const auto& [topic, payload] : cases) {
     PoseMessage message;

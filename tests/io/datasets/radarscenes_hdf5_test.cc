@@ -19,6 +19,7 @@ namespace radive {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -132,6 +133,30 @@ TEST_F(RadarScenesHdf5, AllItsRadarsAreOneStream) {
   EXPECT_THAT(Error(),
               HasSubstr("has no detections of radar 3 (input.radar); radars found in it: "
                         "2, 4"));
+}
+
+TEST_F(RadarScenesHdf5, WarnsWhenScansMayBeLost) {
+  const auto warnings = [&](const std::vector<Detection>& detections,
+                            const std::vector<CarState>& states) {
+    WriteFile(folder_.path() / "radar_data.h5", detections, states);
+    const auto source = Open();
+    testing::ReadAll(source.get());
+    return source->TakeWarnings();
+  };
+  EXPECT_THAT(warnings(kDetections, kStates), ElementsAre());
+  std::vector<Detection> detections = kDetections;
+  detections[1].timestamp = 99000;  // before the row in front of it
+  EXPECT_THAT(warnings(detections, kStates), Contains(HasSubstr("1 rows are not in the order")));
+  detections = kDetections;
+  detections[1].sensor_id = 3;  // at the time of a scan of radar 2
+  EXPECT_THAT(warnings(detections, kStates), Contains(HasSubstr("the first is row 1;")));
+  detections = kDetections;
+  detections[3].timestamp = 100000;  // a second part of the first scan, behind radar 4
+  EXPECT_THAT(warnings(detections, kStates), Contains(HasSubstr("the first is row 3;")));
+  std::vector<CarState> states = kStates;
+  states[1].timestamp = 1180000;  // 1.01 s after the last detection
+  EXPECT_THAT(warnings(kDetections, states),
+              ElementsAre(HasSubstr("radar 2 begin 0.01 s after the odometry and end 1.01 s")));
 }
 
 TEST_F(RadarScenesHdf5, ItsOdometryIsTheGroundTruth) {

@@ -99,7 +99,9 @@ TEST_F(RadarScenesSourceTest, ColumnsAreFoundByName) {
   EXPECT_THAT(testing::Stamps(scans), ElementsAre(5000000000, 6000000000));
   EXPECT_NEAR(scans[0].returns.at(0).position.x(), -4.0, 1e-5);
   EXPECT_TRUE(scans[1].returns.empty());
-  EXPECT_THAT(source->TakeWarnings(), IsEmpty());  // an empty scan is nothing to warn of
+  // Rows 0 and 1 are of no scan; an empty scan is nothing to warn of.
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre(HasSubstr("radar2_scans.csv:2: the rows before it end with 0, not 2")));
 }
 
 TEST_F(RadarScenesSourceTest, RowsThatTheFileDoesNotHaveAreAnError) {
@@ -113,6 +115,16 @@ TEST_F(RadarScenesSourceTest, RowsThatTheFileDoesNotHaveAreAnError) {
   }
   WriteTable("1,0.1,3,0,0,0,0,0,0,0\n");  // the end itself is no row too many
   EXPECT_TRUE(ReadAll(Open().get())[0].returns.empty());
+}
+
+TEST_F(RadarScenesSourceTest, WarnsWhenALineIsLost) {
+  WriteTable("1,0.1,0,1,0,0,0,0,0,0\n2,0.2,1,2,0,0,0,0,0,0\n");
+  EXPECT_THAT(Open()->TakeWarnings(), IsEmpty());
+  WriteTable("1,0.1,0,1,0,0,0,0,0,0\n3,0.3,2,1,0,0,0,0,0,0\n");
+  EXPECT_THAT(Open()->TakeWarnings(),
+              ElementsAre(HasSubstr("radar2_scans.csv:3: the rows before it end with 1, not 2")));
+  WriteTable("1,0.1,0,1,0,0,0,0,0,0\n");
+  EXPECT_THAT(Open()->TakeWarnings(), ElementsAre(HasSubstr("end with 1, not 3 (1 such places)")));
 }
 
 TEST_F(RadarScenesSourceTest, LinesThatAreNoNumbersAreNamed) {
@@ -149,15 +161,14 @@ TEST_F(RadarScenesSourceTest, BytesBehindTheLastRowAreIgnoredWithAWarning) {
                                 HasSubstr("last 3"))));
 }
 
-TEST_F(RadarScenesSourceTest, AFileThatShrinksMeanwhileGivesEmptyScans) {
+TEST_F(RadarScenesSourceTest, AFileThatShrinksMeanwhileEndsTheDrive) {
   WriteTable("1,0.1,0,3,0,0,0,0,0,0\n2,0.2,0,1,0,0,0,0,0,0\n");
   const auto source = Open();
   std::filesystem::resize_file(folder_.path() / "radar2_points.bin", 20);
-  const auto scans = ReadAll(source.get());
-  EXPECT_TRUE(scans[0].returns.empty());
-  EXPECT_EQ(scans[1].returns.size(), 1u);
-  EXPECT_THAT(source->TakeWarnings(),
-              ElementsAre(AllOf(HasSubstr("radar2_scans.csv:2"), HasSubstr("empty scan"))));
+  RadarScan scan;
+  EXPECT_EQ(source->Next(&scan), ScanSource::Status::kError);
+  EXPECT_THAT(source->error(),
+              AllOf(HasSubstr("radar2_scans.csv:2"), HasSubstr("can no longer be read")));
 }
 
 TEST_F(RadarScenesSourceTest, AbsentFilesAreNamed) {

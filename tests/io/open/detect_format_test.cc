@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/io/bags/bag_files.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -80,9 +81,13 @@ TEST(DetectFormat, FoldersByWhatTheyHold) {
   const std::string nested = "Continental_data/Radar/Continental/" + nanoseconds;
   const std::string aeva = "LiDAR/Aeva/" + nanoseconds;
   const Case cases[] = {
-      {"a_2.bag", Format::kRosbag1, "", "1 files *.bag"},
-      {"drive_0.mcap", Format::kMcap, "", "*.mcap"},
-      {"drive_0.db3", Format::kRosbag2, "", "*.db3"},
+      {"a_2.bag", Format::kRosbag1, "", "holds 1 bag, a_2.bag"},
+      {"drive_0.mcap", Format::kMcap, "", "holds 1 bag, drive_0.mcap"},
+      {"DRIVE_0.MCAP", Format::kMcap, "", "DRIVE_0.MCAP"},
+      {"run_0.bag.active", Format::kRosbag1, "", "run_0.bag.active"},
+      {"drive_0.db3.zstd", Format::kRosbag2, "", "drive_0.db3.zstd"},
+      {"radar/0001.PCD", Format::kPcd, "", "1 files *.pcd"},
+      {"drive_0.db3", Format::kRosbag2, "", "holds 1 bag, drive_0.db3"},
       {"radar2_scans.csv", Format::kRadarScenes, "", "radar2_scans.csv"},
       {"train/radar_seqs-0_samples-3.json", Format::kRaFlow, "", "RaFlow"},
       {continental.c_str(), Format::kHercules, "", "HeRCULES Continental"},
@@ -169,6 +174,28 @@ TEST(DetectFormat, LeavesASetFormatAlone) {
   const Found found = Detect("/absent", options);
   EXPECT_EQ(found.format, Format::kPcd);
   EXPECT_EQ(found.reason, "as set");
+}
+
+// A bag of another sensor does not hide the scans beside it; one with point clouds does, and the
+// reason names them.
+TEST(DetectFormat, ScansBesideABag) {
+  const TempFolder folder;
+  for (const char* name : {"0.pcd", "1.pcd"}) folder.Write(name, "whatever");
+  const testing::BagForm form = {"other.bag", BagFormat::kRosbag1};
+  std::string error;
+  const auto write = [&](const MessageTopic& topic) {
+    const auto writer = testing::OpenWriter(folder.path() / form.name, form);
+    const int number = writer->AddTopic(topic);
+    ASSERT_TRUE(writer->Write(number, 1, "message", &error) && writer->Close(&error)) << error;
+  };
+  write({"/imu", "sensor_msgs/Imu", "ros1", {}});
+  Found found = Detect(folder.path());
+  EXPECT_EQ(found.format, Format::kPcd);
+  EXPECT_THAT(found.reason, HasSubstr("it also holds 1 bag, other.bag, without point clouds"));
+  write(testing::CloudTopic(form));
+  found = Detect(folder.path());
+  EXPECT_EQ(found.format, Format::kRosbag1);
+  EXPECT_THAT(found.reason, HasSubstr("not read are the scans beside it (2 files *.pcd"));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace radive {
 namespace {
 
 using ::testing::HasSubstr;
-using Format = ReferenceOptions::Format;
+using ReferenceFormat = ReferenceOptions::Format;
 
 // Ground truth at `path`, detected.
 Reference Read(const std::filesystem::path& path, int clip = 0) {
@@ -23,7 +23,8 @@ Reference Read(const std::filesystem::path& path, int clip = 0) {
   return reference.value_or(Reference());
 }
 
-std::string ErrorOf(const std::filesystem::path& path, Format format = Format::kAuto) {
+std::string ErrorOf(const std::filesystem::path& path,
+                    ReferenceFormat format = ReferenceFormat::kAuto) {
   ReferenceOptions options;
   options.format = format;
   std::string error;
@@ -136,7 +137,8 @@ TEST_F(ReadReferenceOf, SaysWhatWasLookedForAndWhatIsAmbiguous) {
   EXPECT_THAT(ErrorOf(folder_.path() / "radar1_scans.csv"), HasSubstr("among them timestamp_odom"));
   folder_.Write("lfs.txt", testing::LfsPointer());
   EXPECT_THAT(ErrorOf(folder_.path() / "lfs.txt"), HasSubstr("Git-LFS pointer"));
-  EXPECT_THAT(ErrorOf(folder_.path() / "seven.txt", Format::kTum), HasSubstr("expected 8 numbers"));
+  EXPECT_THAT(ErrorOf(folder_.path() / "seven.txt", ReferenceFormat::kTum),
+              HasSubstr("expected 8 numbers"));
 }
 
 // Poses and stamps as its README counts them: 12 pairs without a gap.

@@ -93,6 +93,7 @@ TEST(RealScans, ViewOfDelftWithoutDoppler) {
                              Drive{"delft_26", 257, 48252}}) {
     InputOptions options;
     options.layout = "xyz3";
+    options.rate = 10.0;
     const auto scans = ReadDrive(std::string("vod-radar-xyz/") + drive.name, options);
     ASSERT_EQ(scans.size(), drive.num_scans) << drive.name;
     EXPECT_EQ(NumReturns(scans), drive.num_returns) << drive.name;
@@ -107,6 +108,7 @@ TEST(RealScans, ViewOfDelftWithDoppler) {
   RADIVE_SKIP_WITHOUT("vod-example-frames");
   InputOptions options;
   options.layout = "vod7";
+  options.rate = 10.0;
   const auto scans = ReadDrive("vod-example-frames", options);
   ASSERT_EQ(scans.size(), 3u);
   EXPECT_EQ(scans[0].returns.size(), 322u);
@@ -143,6 +145,7 @@ TEST(RealScans, Tj4dRadSet) {
   RADIVE_SKIP_WITHOUT("tj4dradset-sample");
   InputOptions options;
   options.layout = "tj4d8";
+  options.rate = 10.0;
   const auto scans = ReadDrive("tj4dradset-sample", options);
   ASSERT_EQ(scans.size(), 41u);
   EXPECT_EQ(NumReturns(scans), 108222u);

@@ -77,5 +77,26 @@ TEST(ParseFieldChoices, SaysWhatIsWrong) {
   }
 }
 
+// Factors by hand: 1 deg = pi/180 rad, 3.6 km/h = 1 m/s.
+TEST(FieldMatching, UnitsBehindTheNames) {
+  const auto unit = [](const char* name) {
+    const std::optional<FieldRole> role = RoleOfName(name);
+    return role ? UnitOfName(*role, name) : -1.0;
+  };
+  for (const char* name : {"x [m]", "X(m)", "y_m", "z [meters]", "range_m", "velocity [m/s]",
+                           "azimuth [rad]", "rcs [dBsm]", "snr (dB)", "power [a.u.]", "doppler"}) {
+    EXPECT_EQ(unit(name), 1.0) << name;
+  }
+  EXPECT_EQ(unit("x [mm]"), 1e-3);
+  EXPECT_EQ(unit("range_cm"), 1e-2);
+  EXPECT_NEAR(unit("v_r [km/h]"), 0.277777777777778, 1e-15);
+  EXPECT_NEAR(unit("azimuth_deg"), 0.0174532925199433, 1e-15);
+  EXPECT_NEAR(unit("elevation [\xC2\xB0]"), 0.0174532925199433, 1e-15);
+  for (const char* name : {"x [bins]", "velocity [m]", "doppler_bin", "x_y", "azimuth [m]"}) {
+    EXPECT_EQ(unit(name), -1.0) << name;
+  }
+  EXPECT_EQ(RoleOfName("Velocity (km/h)"), FieldRole::kDoppler);
+}
+
 }  // namespace
 }  // namespace radive

@@ -115,7 +115,7 @@ TEST_F(PcdTest, SaysWhatIsWrong) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "line 1: the header of a PCD file ends without a DATA line"},
       {"FIELDS x y\nSIZE 4 4\n", "ends without a DATA line"},
-      {"FIELDS x y\nSIZES 4 4\n", "line 2: expected a line of a PCD header"},
+      {"FIELDS x y\nWIDTH one\n", "line 2: expected a line of a PCD header"},
       {"DATA binary\n", "as many entries in SIZE, TYPE and COUNT as in FIELDS"},
       {"FIELDS x y\nSIZE 4\nTYPE F F\nDATA binary\n", "found 1, 2 and 0 for 2"},
       {"FIELDS x\nSIZE 3\nTYPE F\nDATA binary\n", "field 'x': expected TYPE F, U or I"},
@@ -158,6 +158,55 @@ TEST(Lzf, RefusesWhatCannotBe) {
   EXPECT_THAT(error, HasSubstr("a reference before the start"));
   EXPECT_FALSE(UnpackLzf("abc", std::size_t{1} << 40, &unpacked, &error));
   EXPECT_THAT(error, HasSubstr("3 compressed bytes cannot hold"));
+}
+
+// Lower case, keys of other programs, a byte order mark and the line ends of Windows do no harm.
+TEST_F(PcdTest, HeadersOfOtherWriters) {
+  ASSERT_TRUE(
+      Parse("\xEF\xBB\xBF# made elsewhere\r\nversion .7\r\nfields x y\r\nsize 4 4\r\ntype f F\r\n"
+            "count 1 1\r\nwidth 2\r\nheight 1\r\nTIMESTAMP 17\r\npoints 2\r\ndata Binary\r\n" +
+            Floats({1, 2, 3, 4})))
+      << error_;
+  EXPECT_EQ(Values("y"), (std::vector<double>{2.0, 4.0}));
+  EXPECT_THAT(remarks_, IsEmpty());
+}
+
+// Old and new words of Microsoft's library for numbers that are none.
+TEST_F(PcdTest, WordsForNoNumber) {
+  ASSERT_TRUE(Parse(
+      "FIELDS x y\nSIZE 4 4\nTYPE F F\nPOINTS 4\nDATA ascii\n1.#QNAN 1\n-1.#IND 2\n-nan(ind) 3\n"
+      "-1.#INF00 4\n"))
+      << error_;
+  EXPECT_EQ(Values("y"), (std::vector<double>{1, 2, 3, 4}));
+  for (const std::size_t i : {0u, 1u, 2u}) EXPECT_TRUE(std::isnan(Values("x")[i])) << i;
+  EXPECT_EQ(Values("x")[3], -HUGE_VAL);
+  EXPECT_THAT(remarks_, IsEmpty());
+}
+
+// The points behind a bad line are as good as those before it.
+TEST_F(PcdTest, BadLinesAreLeftOut) {
+  ASSERT_TRUE(
+      Parse("FIELDS x y\nSIZE 4 4\nTYPE F F\nPOINTS 4\nDATA ascii\n1 2\n3,5 4\n5\n7 8\n"));
+  EXPECT_EQ(Values("x"), (std::vector<double>{1, 7}));
+  EXPECT_THAT(remarks_,
+              ElementsAre(HasSubstr("line 2 of the data: expected a number for each field, found "
+                                    "'3,5 4'; 2 such lines are left out"),
+                          HasSubstr("promises 4 points, the data hold 2")));
+}
+
+// POINTS and WIDTH times HEIGHT contradict each other: what the data hold is right.
+TEST_F(PcdTest, CountsThatContradictEachOther) {
+  const std::string fields = "FIELDS x y\nSIZE 4 4\nTYPE F F\n";
+  ASSERT_TRUE(Parse(fields + "WIDTH 1\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1 2\n3 4\n"));
+  EXPECT_EQ(table_.num_points, 2u);
+  EXPECT_THAT(remarks_, IsEmpty());
+  ASSERT_TRUE(
+      Parse(fields + "WIDTH 2\nHEIGHT 1\nPOINTS 1\nDATA binary\n" + Floats({1, 2, 3, 4})));
+  EXPECT_EQ(table_.num_points, 2u);
+  EXPECT_THAT(remarks_, IsEmpty());
+  ASSERT_TRUE(Parse(fields + "POINTS 1\nDATA ascii\n1 2\n3 4\n"));
+  EXPECT_EQ(table_.num_points, 1u);
+  EXPECT_THAT(remarks_, ElementsAre(HasSubstr("1 lines behind the last point are ignored")));
 }
 
 }  // namespace

@@ -108,5 +108,18 @@ TEST_F(PlyTest, EmptyElementsEndAtOnce) {
   EXPECT_EQ(table_.num_points, 0u);
 }
 
+TEST_F(PlyTest, HeadersOfOtherWriters) {
+  ASSERT_TRUE(
+      Parse("\xEF\xBB\xBFPLY\r\nFORMAT ascii 1.0\r\nobj_info scan 7\r\nsensor front\r\n"
+            "element Vertex 2\r\nproperty float x\r\nproperty FLOAT y\r\nproperty bool valid\r\n"
+            "property int64 stamp\r\nend_header\r\n1 2 1 17\r\n3 4 0 18\r\n"))
+      << error_;
+  EXPECT_EQ(Values("y"), (std::vector<double>{2.0, 4.0}));
+  EXPECT_EQ(Values("valid"), (std::vector<double>{1.0, 0.0}));
+  EXPECT_EQ(Values("stamp"), (std::vector<double>{17.0, 18.0}));
+  EXPECT_FALSE(Parse("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n1\n"));
+  EXPECT_THAT(error_, HasSubstr("line 4: expected"));
+}
+
 }  // namespace
 }  // namespace radive

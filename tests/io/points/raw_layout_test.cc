@@ -109,7 +109,7 @@ TEST(InputOptions, NameTheFieldThatIsWrong) {
   }
 
   options = InputOptions();
-  options.rate = 0.0;
+  options.rate = -1.0;
   EXPECT_FALSE(options.IsValid(&error));
   EXPECT_THAT(error, HasSubstr("input.rate"));
 }

@@ -97,7 +97,7 @@ TEST(PoseTable, FindsTheQuaternionByItsLength) {
   EXPECT_FALSE(FindPoseColumns("1,2,3,4,5,6,7,8,9,10\n", "t", &error));
   EXPECT_THAT(error, HasSubstr("no four columns in a row"));
   EXPECT_FALSE(FindPoseColumns("time,x,y,z\n1,2,3,4\n", "t", &error));
-  EXPECT_THAT(error, HasSubstr("t:1: expected the names of the columns"));
+  EXPECT_THAT(error, HasSubstr("t:1: expected a name for each of the 4 columns"));
 }
 
 TEST(PoseTable, NamesLineAndExpectation) {

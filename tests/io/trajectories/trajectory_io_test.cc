@@ -86,7 +86,7 @@ TEST_F(TrajectoryIo, ReadsTumOfOtherHabits) {
 TEST_F(TrajectoryIo, NormalisesQuaternionsAndTakesZeroForIdentity) {
   std::string error;
   const auto trajectory =
-      ReadTrajectory(Write("0 0 0 0 0 0 -3 -3\n1 0 0 0 0 0 0 0\n"), TrajectoryFormat::kTum, &error);
+      ReadTrajectory(Write("0 0 0 0 0 0 -1 -1\n1 0 0 0 0 0 0 0\n"), TrajectoryFormat::kTum, &error);
   ASSERT_TRUE(trajectory) << error;
   const Eigen::Matrix3d& R = (*trajectory)[0].T_world_body.rotation;
   EXPECT_NEAR((R.col(0) - Eigen::Vector3d::UnitY()).norm(), 0.0, 1e-15);
@@ -96,10 +96,10 @@ TEST_F(TrajectoryIo, NormalisesQuaternionsAndTakesZeroForIdentity) {
 TEST_F(TrajectoryIo, ReadsKittiMatricesAsTheyAre) {
   std::string error;
   const auto trajectory =
-      ReadTrajectory(Write("0.9999999 -1 0 5 1 0 0 6 0 0 1 7\n"), TrajectoryFormat::kKitti, &error);
+      ReadTrajectory(Write("0.0000001 -1 0 5 1 0 0 6 0 0 1 7\n"), TrajectoryFormat::kKitti, &error);
   ASSERT_TRUE(trajectory) << error;
   Eigen::Matrix3d R;
-  R << 0.9999999, -1, 0, 1, 0, 0, 0, 0, 1;
+  R << 0.0000001, -1, 0, 1, 0, 0, 0, 0, 1;
   EXPECT_EQ(trajectory->front().T_world_body.rotation, R);
   EXPECT_EQ(trajectory->front().T_world_body.translation, Eigen::Vector3d(5, 6, 7));
 }
