@@ -90,11 +90,6 @@ bool AreTumColumns(const PoseColumns& columns) {
          columns.quaternion == std::array<int, 4>{4, 5, 6, 7};
 }
 
-bool AreKittiColumns(const PoseColumns& columns) {
-  constexpr std::array<int, 12> kRows = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
-  return columns.stamp < 0 && columns.matrix == kRows;
-}
-
 // EuRoC's tables say in their names what the rule of the format says as well.
 bool AreEurocColumns(const PoseColumns& columns, bool has_names) {
   return !has_names || (columns.stamp == 0 && columns.position == std::array<int, 3>{1, 2, 3} &&
@@ -120,6 +115,10 @@ std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string
     }
     words = SplitColumns(line);
   }
+  // Twelve numbers without names are KITTI's rows, whatever four of them look like: that they are
+  // no rotations is for the reader to say.
+  const bool has_blanks_only = line.find_first_of(",;") == line.npos;
+  if (words.size() == 12 && has_blanks_only && !has_names) return ReferenceFormat::kKitti;
   std::string reason;
   const std::optional<PoseColumns> columns = FindPoseColumns(text, file.string(), &reason);
   const bool has_euroc_form = words.size() >= 8 && words.size() != 12 &&
@@ -134,7 +133,6 @@ std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string
   }
   const bool is_plain = columns->delimiter == '\0';
   if (is_plain && words.size() == 8 && AreTumColumns(*columns)) return ReferenceFormat::kTum;
-  if (is_plain && words.size() == 12 && AreKittiColumns(*columns)) return ReferenceFormat::kKitti;
   return ReferenceFormat::kTable;
 }
 
