@@ -34,7 +34,7 @@ Read Parse(const std::string& text) {
   return read;
 }
 
-std::string ErrorOf(const std::string& text) {
+std::string ErrorOfColumns(const std::string& text) {
   std::string error;
   EXPECT_FALSE(FindPoseColumns(text, "table", &error)) << text;
   return error;
@@ -121,13 +121,14 @@ TEST(FindPoseColumns, QuaternionsByTheirLength) {
 }
 
 TEST(FindPoseColumns, SaysWhatToSetWhereNothingTells) {
-  EXPECT_THAT(ErrorOf("1 2 3 4 5 6 7 8 9 10 11 12 13\n"), HasSubstr("table:1: 13 columns"));
-  EXPECT_THAT(ErrorOf("1 2 3 4 5 6 7 8 9 10 11 12 13\n"), HasSubstr("reference.format"));
-  EXPECT_THAT(ErrorOf("1,2,3\n"), HasSubstr("3 columns"));
-  EXPECT_THAT(ErrorOf("1 2 3 0 0 0 1\n1 2\n"), HasSubstr("different numbers of columns"));
-  EXPECT_THAT(ErrorOf("a,b,c,d,e,f,g,h\n1,2,3,4,0,0,0,1\n"), HasSubstr("found 'a,b,c,d,e,f,g,h'"));
-  EXPECT_THAT(ErrorOf("5,0,1,0,2,0,3,0,0,0,0,0,0,0,1,0\n"), HasSubstr("decimal commas?"));
-  EXPECT_THAT(ErrorOf("# nothing\n"), HasSubstr("holds no poses"));
+  EXPECT_THAT(ErrorOfColumns("1 2 3 4 5 6 7 8 9 10 11 12 13\n"), HasSubstr("table:1: 13 columns"));
+  EXPECT_THAT(ErrorOfColumns("1 2 3 4 5 6 7 8 9 10 11 12 13\n"), HasSubstr("reference.format"));
+  EXPECT_THAT(ErrorOfColumns("1,2,3\n"), HasSubstr("3 columns"));
+  EXPECT_THAT(ErrorOfColumns("1 2 3 0 0 0 1\n1 2\n"), HasSubstr("different numbers of columns"));
+  EXPECT_THAT(ErrorOfColumns("a,b,c,d,e,f,g,h\n1,2,3,4,0,0,0,1\n"),
+              HasSubstr("found 'a,b,c,d,e,f,g,h'"));
+  EXPECT_THAT(ErrorOfColumns("5,0,1,0,2,0,3,0,0,0,0,0,0,0,1,0\n"), HasSubstr("decimal commas?"));
+  EXPECT_THAT(ErrorOfColumns("# nothing\n"), HasSubstr("holds no poses"));
 }
 
 TEST(FindPoseColumns, StampsThatCannotBeAreNamedAsStamps) {
