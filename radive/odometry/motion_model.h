@@ -52,6 +52,8 @@ class MotionModel {
   void LearnSlip(const MotionPrediction& prediction,
                  double dt,
                  const RegistrationResult& registration);
+  // Corrects the pose of the last scan, so that it does not count as motion.
+  void MoveTo(const Rigid3& T_world_radar) { T_world_radar_ = T_world_radar; }
   // Takes in the pose of a scan: what the next prediction starts from.
   void Follow(const OdometryResult& result, double dt);
 

@@ -82,6 +82,12 @@ std::vector<OptionField> MotionOptions::Fields() {
                   "s",
                   "Time without registration after which keyframes are added at predicted poses."}
           .AtLeast(0.0),
+      OptionField{"innovation_gate",
+                  &innovation_gate,
+                  "-",
+                  "A scan registered further from its prediction than so many times the median of "
+                  "the scans before is taken as badly registered; 0 turns it off."}
+          .AtLeast(0.0),
   };
 }
 

@@ -55,6 +55,9 @@ struct MotionOptions {
   // Time without registration [s] after which the submap goes on with keyframes at predicted poses.
   double restart_time = 1.0;
 
+  // Largest innovation of a registered scan, in multiples of the median (InnovationGate). 0: off.
+  double innovation_gate = 5.0;
+
   std::vector<OptionField> Fields();
   bool IsValid(std::string* error) const { return CheckOptions("motion", *this, error); }
 };

@@ -31,7 +31,10 @@ constexpr double kHigherCost = 0.3;
 }  // namespace
 
 RadarOdometry::RadarOdometry(const OdometryOptions& options)
-    : options_(options), motion_(options), filter_(options, options.sensor) {}
+    : options_(options),
+      motion_(options),
+      gate_(options.motion.innovation_gate),
+      filter_(options, options.sensor) {}
 
 std::string RadarOdometry::WhyOutOfOrder(const RadarScan& scan) const {
   if (!last_stamp_ns_ || scan.stamp_ns > *last_stamp_ns_) return "";
@@ -102,6 +105,25 @@ void RadarOdometry::Register(const FilteredScan& filtered,
   motion_.LearnSlip(prediction, dt, registration);
   result->times_ms.pair_search = registration.pair_search_ms;
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
+}
+
+void RadarOdometry::CheckInnovation(const MotionPrediction& prediction,
+                                    double dt,
+                                    OdometryResult* result) {
+  if (result->status != OdometryResult::Status::kRegistered) {
+    gate_.Forget();
+    return;
+  }
+  const double usual_interval = motion_.usual_interval();
+  const double num_intervals = usual_interval > 0.0 ? dt / usual_interval : 1.0;
+  result->reason = gate_.Check(
+      motion_.T_world_radar(), prediction.T_world_radar, result->T_world_radar, num_intervals);
+  if (!result->reason.empty()) {
+    result->status = OdometryResult::Status::kPredicted;
+    result->T_world_radar = prediction.T_world_radar;
+  } else if (gate_.T_world_corrected()) {
+    motion_.MoveTo(*gate_.T_world_corrected());
+  }
 }
 
 void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
@@ -178,6 +200,7 @@ void RadarOdometry::Locate(const RadarScan& scan,
     result->covariance = motion_.covariance();
   } else {
     Register(filtered, prediction, dt, result);
+    CheckInnovation(prediction, dt, result);
   }
   if (result->status != OdometryResult::Status::kPredicted) return;
   result->covariance = motion_.PredictedCovariance(velocity, dt);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "radive/odometry/innovation_gate.h"
 #include "radive/odometry/motion_model.h"
 #include "radive/odometry/odometry_options.h"
 #include "radive/odometry/odometry_result.h"
@@ -54,6 +55,8 @@ class RadarOdometry {
                 const MotionPrediction& prediction,
                 double dt,
                 OdometryResult* result);
+  // Puts a registered scan back to its prediction when it contradicts the motion.
+  void CheckInnovation(const MotionPrediction& prediction, double dt, OdometryResult* result);
   // Behind a gap in which the motion is unknown: registers the scan as if no time had passed, and
   // where it does not fit the submap as well as scans before did, starts the submap anew.
   void LocateBehindGap(const FilteredScan& filtered, double dt, OdometryResult* result);
@@ -67,6 +70,7 @@ class RadarOdometry {
 
   OdometryOptions options_;
   MotionModel motion_;
+  InnovationGate gate_;
   ScanFilter filter_;
   std::unique_ptr<Submap> submap_;          // null until it is known of what Gaussians
   std::optional<Rigid3> T_world_keyframe_;  // T_world_radar of the last keyframe
