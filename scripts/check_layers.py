@@ -34,6 +34,8 @@ FORBIDDEN = [
     (re.compile(r"\bDEFINE_(?:string|bool|double|u?int(?:32|64))\("), "defines a flag", set()),
     (re.compile(r"\b(?:v?sn?printf|strto(?:d|f|ld)|sto(?:d|f|ld)|ato[fil]|v?sscanf)\("),
      "depends on the locale; use radive/util/number_text.h", {"util"}),
+    (re.compile(r"\bstrerror(?:_[lr])?\(|\.message\(\)"),
+     "speaks the language of the locale; use radive/util/system_message.h", {"util"}),
     (re.compile(r"\bsetlocale\(|\blocale::global\("), "changes the locale of the program", set()),
 ]
 
@@ -109,6 +111,8 @@ def self_test():
     assert count("io/bytes", "  value = strtod(word, &end);") == 1
     assert count("io/bytes", "  text = FormatText(form, value);") == 0
     assert count("util", "  std::vsnprintf(text, sizeof(text), form, values);") == 0
+    assert count("io/bytes", "  *error = failure.message();") == 1
+    assert count("io/bytes", "  *error = std::strerror(errno);") == 1
     assert count("util", '  std::setlocale(LC_ALL, "C");') == 1
     assert count("config", 'DEFINE_string(config, "", "");') == 1
 

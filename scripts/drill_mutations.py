@@ -307,7 +307,9 @@ def tum(row):
 
 def euroc(row):
     seconds, _, rest = row[0].partition(".")
-    return ",".join([str(int(seconds + rest.ljust(9, "0"))), *row[1:4], row[7], *row[4:7]])
+    # Nanoseconds of this century, by which they are told from seconds.
+    stamp = f"{int(seconds) + 1400000000}{rest.ljust(9, '0')[:9]}"
+    return ",".join([stamp, *row[1:4], row[7], *row[4:7]])
 
 
 def table(row):

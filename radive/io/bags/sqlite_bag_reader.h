@@ -63,7 +63,7 @@ class SqliteBagReader : public MessageSource {
   bool IsPlainTable(const std::string& name);
   bool ReadTopics();
   bool CountMessages();
-  std::string ReadPayload(std::int64_t row, bool* is_too_large);
+  std::string ReadPayload(std::int64_t row, bool* is_error);
   std::string Reason() const;
 
   std::int64_t num_steps_left_ = 0;  // of SQLite, in units of LimitSteps()

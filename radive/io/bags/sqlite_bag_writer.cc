@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "radive/io/bytes/compression.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -41,7 +42,7 @@ std::unique_ptr<SqliteBagWriter> SqliteBagWriter::Create(const fs::path& folder,
   fs::create_directories(folder, failure);
   const fs::path file = folder / writer->FileName();
   if (failure || fs::exists(file)) {
-    *error = folder.string() + ": " + (failure ? failure.message() : "holds a bag already");
+    *error = folder.string() + ": " + (failure ? SystemMessage(failure) : "holds a bag already");
     return nullptr;
   }
   sqlite3* raw = nullptr;

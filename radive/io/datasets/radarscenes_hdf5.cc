@@ -201,8 +201,8 @@ ScanSource::Status RadarScenesHdf5Source::Next(RadarScan* scan) {
   const RadarScenesScan& entry = scans_[next_ - 1];
   std::vector<double> values;
   if (!table_->Read(entry.first_point, entry.num_points, &values)) {
-    warnings_.push_back(scan->place + " can no longer be read; taken as an empty scan");
-    return Status::kScan;
+    error_ = scan->place + " can no longer be read";
+    return Status::kError;
   }
   std::string records;
   for (std::size_t i = 0; i < entry.num_points; ++i) {
