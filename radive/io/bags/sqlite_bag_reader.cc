@@ -57,9 +57,6 @@ std::string Text(sqlite3_stmt* statement, int column) {
              : std::string(reinterpret_cast<const char*>(text), static_cast<std::size_t>(size));
 }
 
-// Whether the disk did not give the bytes, which is no damage of the file.
-bool IsReadError(int status) { return (status & 0xFF) == SQLITE_IOERR; }
-
 }  // namespace
 
 void SqliteBagReader::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
@@ -145,6 +142,13 @@ std::string SqliteBagReader::Reason() const {
   return std::string("cannot be read as a rosbag 2 file: ") + sqlite3_errmsg(database_.get());
 }
 
+// SQLite itself calls most of these errors damage, too.
+std::string SqliteBagReader::ReadError() const {
+  int number = 0;
+  sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_LAST_ERRNO, &number);
+  return number == 0 ? "" : "cannot be read: " + SystemMessage(number);
+}
+
 // Null, with the reason in error_, when the tables or their columns are not there.
 SqliteBagReader::Statement SqliteBagReader::Prepare(const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
@@ -206,10 +210,8 @@ bool SqliteBagReader::CountMessages() {
                       "messages are taken in the order of the file");
   }
   if (status == SQLITE_DONE) return true;
-  if (IsReadError(status)) {
-    error_ = Reason();
-    return false;
-  }
+  error_ = ReadError();
+  if (!error_.empty()) return false;
   // What the index of the messages still finds can be read all the same.
   warnings_.Add("damaged files", name_ + ": is damaged or cut: " + Reason());
   for (MessageTopic& topic : topics_) topic.num_messages.reset();
@@ -251,10 +253,11 @@ std::string SqliteBagReader::ReadPayload(std::int64_t row, bool* is_error) {
     status = sqlite3_blob_read(raw, payload_.data(), static_cast<int>(size), 0);
   }
   if (status == SQLITE_OK) return "";
-  const std::string reason = sqlite3_errmsg(database_.get());
+  const std::string damage = sqlite3_errmsg(database_.get());
   blob_.reset();  // it cannot be moved to another row any more
-  *is_error = IsReadError(status);
-  return (*is_error ? "cannot be read: " : "is damaged: ") + reason;
+  const std::string read_error = ReadError();
+  *is_error = !read_error.empty();
+  return *is_error ? read_error : "is damaged: " + damage;
 }
 
 MessageSource::Status SqliteBagReader::Next(Message* message) {
@@ -280,8 +283,8 @@ MessageSource::Status SqliteBagReader::Next(Message* message) {
     message->payload = payload_;
     return Status::kMessage;
   }
-  if (IsReadError(status)) {
-    error_ = name_ + ": " + Reason();
+  if (const std::string read_error = ReadError(); !read_error.empty()) {
+    error_ = name_ + ": " + read_error;
     return Status::kError;
   }
   if (status != SQLITE_DONE) {

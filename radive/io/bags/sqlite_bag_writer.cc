@@ -71,6 +71,7 @@ std::unique_ptr<SqliteBagWriter> SqliteBagWriter::Create(const fs::path& folder,
 }
 
 std::string SqliteBagWriter::FileName() const {
+  if (!options_.name.empty()) return options_.name + "_0.db3";
   const fs::path name =
       folder_.has_filename() ? folder_.filename() : folder_.parent_path().filename();
   return name.string() + "_0.db3";
