@@ -36,6 +36,8 @@ FORBIDDEN = [
      "depends on the locale; use radive/util/number_text.h", {"util"}),
     (re.compile(r"\bstrerror(?:_[lr])?\(|\.message\(\)"),
      "speaks the language of the locale; use radive/util/system_message.h", {"util"}),
+    (re.compile(r"[jJ]son::parse\(|\.dump\("), "depends on the locale; use radive/util/json.h",
+     {"util"}),
     (re.compile(r"\bsetlocale\(|\blocale::global\("), "changes the locale of the program", set()),
 ]
 
@@ -113,6 +115,9 @@ def self_test():
     assert count("util", "  std::vsnprintf(text, sizeof(text), form, values);") == 0
     assert count("io/bytes", "  *error = failure.message();") == 1
     assert count("io/bytes", "  *error = std::strerror(errno);") == 1
+    assert count("pipeline", "  const auto json = nlohmann::json::parse(text);") == 1
+    assert count("pipeline", "  return json.dump(2);") == 1
+    assert count("pipeline", "  return JsonText(ParseJson(text));") == 0
     assert count("util", '  std::setlocale(LC_ALL, "C");') == 1
     assert count("config", 'DEFINE_string(config, "", "");') == 1
 
