@@ -10,11 +10,8 @@
 #include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/simulation_writer.h"
 #include "radive/util/content_hash.h"
-<<<<<<< HEAD
-#include "radive/util/system_message.h"
-=======
 #include "radive/util/json.h"
->>>>>>> main
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
