@@ -10,7 +10,8 @@
 
 namespace radive {
 
-// What the system says of an error, in English whatever the locale: the texts get into result files.
+// What the system says of an error, in English whatever the locale: the texts get into result
+// files.
 inline std::string SystemMessage(const std::error_code& code) {
   const ScopedCLocale c_locale;
   return code.message();

@@ -248,13 +248,13 @@ TEST_F(RadiveBatch, RunsOverInputThatChangesFail) {
   const Outcome outcome =
       Run("out",
           {Program("case \"$*\" in */away/*) mv '" + In("away").string() + "' '" +
-                   In("elsewhere").string() + "';; */changed/*) '" RADIVE_ODOMETRY
-                   "' \"$@\" && echo '# more' >> '" + changed + "/times.txt'; exit 0;; esac")});
+                   In("elsewhere").string() +
+                   "';; */changed/*) '" RADIVE_ODOMETRY "' \"$@\" && echo '# more' >> '" + changed +
+                   "/times.txt'; exit 0;; esac")});
   EXPECT_EQ(outcome.code, 2) << outcome.output;
   EXPECT_THAT(Results("out"), HasSubstr("\naway,default,0,failed," + In("away").string()));
   EXPECT_THAT(Results("out"),
-              HasSubstr("\nchanged,default,0,failed," + changed +
-                        ": changed while it was read"));
+              HasSubstr("\nchanged,default,0,failed," + changed + ": changed while it was read"));
   fs::rename(In("elsewhere"), In("away"));
   const Outcome again = Run("out", {Program("")});
   EXPECT_EQ(again.code, 0) << again.output;

@@ -32,8 +32,8 @@ namespace radive {
 //
 // Damage is passed over with a warning: a message, the rest of a chunk. A chunk whose checksum is
 // wrong is read all the same, with a warning; that of a chunk without compression is looked at
-// where at least half of its bytes are wanted, for it takes all of them. Bytes that the disk does not
-// give (RandomAccessFile::read_error) are no damage but an error.
+// where at least half of its bytes are wanted, for it takes all of them. Bytes that the disk does
+// not give (RandomAccessFile::read_error) are no damage but an error.
 class ChunkedBagReader : public MessageSource {
  public:
   void Select(const std::vector<int>& topics) final;

@@ -50,8 +50,7 @@ std::string Unpack(RandomAccessFile* compressed, std::FILE* file, std::uint64_t 
         return "unpacks to more than " + std::to_string(largest) + " bytes; no bag does";
       }
       if (std::fwrite(decoded.data(), 1, produced, file) != produced) {
-        return "cannot be unpacked into the folder of temporary files: " +
-               SystemMessage(errno);
+        return "cannot be unpacked into the folder of temporary files: " + SystemMessage(errno);
       }
     }
   }
@@ -69,8 +68,7 @@ std::unique_ptr<UnpackedFile> UnpackedFile::OfZstd(const std::filesystem::path& 
   const int descriptor = ::mkstemp(name.data());
   const FilePointer file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"), &std::fclose);
   if (file == nullptr) {
-    *error = path.string() + ": cannot be unpacked to " + name + ": " +
-             SystemMessage(errno);
+    *error = path.string() + ": cannot be unpacked to " + name + ": " + SystemMessage(errno);
     return nullptr;
   }
   std::unique_ptr<UnpackedFile> unpacked(new UnpackedFile(name));

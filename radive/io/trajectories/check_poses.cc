@@ -111,7 +111,8 @@ Spikes FindSpikes(const RecordedTrajectory& poses,
     if (!(deviations[i] > bound && accelerations[i] > kAcceleration)) continue;
     // A pose that is off takes a neighbour with it; one where the speed changes at once does not.
     const bool has_moved_one_before = deviations[i - 1] > 0.5 * shares[i - 1] * deviations[i];
-    const bool has_moved_one_after = deviations[i + 1] > 0.5 * (1.0 - shares[i + 1]) * deviations[i];
+    const bool has_moved_one_after =
+        deviations[i + 1] > 0.5 * (1.0 - shares[i + 1]) * deviations[i];
     if (!has_moved_one_before && !has_moved_one_after) continue;
     ++spikes.count;
     if (deviations[i] > spikes.size) {
