@@ -5,7 +5,8 @@
 
   scripts/drill_mutations.py [--programs=build/apps] [--inputs=5000] [--trajectories=1000]
 
-Drives are those that radive_simulate writes, in every one of its forms; each mutant has one file
+Drives are those that radive_simulate writes, in every one of its forms, and RadarScenes' HDF5 files
+of one where Debian's python3-h5py is there; each mutant has one file
 damaged in one way (bits, bytes, digits, lines, blocks, cuts, exchanged or absent files), from a
 fixed seed. Bad are: a crash, an abort, a run of more than 20 s, more than 256 MB, a failure without
 a message, and a silent error: exit status 0, no warning, no skipped scan, but another number of
@@ -28,12 +29,16 @@ import sys
 import tempfile
 import time
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "drills"))
+import radarscenes_hdf5  # noqa: E402
+
 NUM_SCANS = 20
 LONGEST_RUN = 20.0  # [s]
 MOST_MEMORY = 256.0  # [MB]
 LARGEST_ERROR = 1.0  # [m]
 MOST_SILENT = 0.002  # share of the mutants
 NOT_READ = ("labels", "scenario.json", "gt_tum.txt")  # by radive_odometry
+HDF5 = {"hdf5": None, "hdf5_gzip": "gzip"}  # form: compression
 
 
 class Run:
@@ -201,12 +206,14 @@ class Drives:
         text = re.sub(r"\([^)]*\)", "", re.sub(r"\s+", " ", text))
         forms = re.search(r"Form of the scans: ([^.]*)\.", text).group(1)
         self.forms = [form.strip() for form in forms.split("|")]
+        if radarscenes_hdf5.h5py:
+            self.forms += HDF5
+        else:
+            print("no HDF5 files: python3-h5py is missing")
         self.drives = {}
         for form in self.forms:
             drive = folder / "drives" / form
-            subprocess.run([simulate, "--scenario=street_sparse", f"--frames={NUM_SCANS}",
-                            "--set=simulation.rate=5,simulation.returns=60", f"--format={form}",
-                            f"--output={drive}"], check=True, stdout=subprocess.DEVNULL)
+            self.write_drive(simulate, form, drive)
             files = sorted(str(path.relative_to(drive)) for path in drive.rglob("*")
                            if path.is_file() and path.relative_to(drive).parts[0] not in NOT_READ)
             # A table of stamps is one file of many, but matters as much as all scans together.
@@ -219,9 +226,20 @@ class Drives:
             # Some forms are odd as they are, such as bags without an index.
             self.drives[form] = (drive, files, self.poses(), self.report()["num_warnings"])
 
+    def write_drive(self, simulate, form, drive):
+        is_hdf5 = form in HDF5
+        written = drive.with_name(form + "_raw") if is_hdf5 else drive
+        subprocess.run([simulate, f"--scenario=street_{'planar' if is_hdf5 else 'sparse'}",
+                        f"--frames={NUM_SCANS}", "--set=simulation.rate=5,simulation.returns=60",
+                        f"--format={'raw' if is_hdf5 else form}", f"--output={written}"],
+                       check=True, stdout=subprocess.DEVNULL)
+        if is_hdf5:
+            radarscenes_hdf5.write(written, drive, HDF5[form])
+
     def run(self, form, drive):
         shutil.rmtree(self.output, ignore_errors=True)
         layout = ["--set=input.layout=xyzdp5"] if form == "raw" else []
+        layout += ["--set=input.radar=2"] if form in HDF5 else []
         return Run([self.odometry, f"--input={drive}", f"--output={self.output}", "--quiet",
                     *layout])
 
@@ -307,7 +325,9 @@ def tum(row):
 
 def euroc(row):
     seconds, _, rest = row[0].partition(".")
-    return ",".join([str(int(seconds + rest.ljust(9, "0"))), *row[1:4], row[7], *row[4:7]])
+    # Nanoseconds of this century, by which they are told from seconds.
+    stamp = f"{int(seconds) + 1400000000}{rest.ljust(9, '0')[:9]}"
+    return ",".join([stamp, *row[1:4], row[7], *row[4:7]])
 
 
 def table(row):

@@ -12,6 +12,7 @@
 
 #include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/result_rows.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -87,7 +88,7 @@ bool ResultWriter::Publish(std::string* error) {
     std::filesystem::create_hard_link(Partial(name), output_.staged() / name, code);
     if (code) std::filesystem::copy_file(Partial(name), output_.staged() / name, code);
     if (code) {
-      *error = (folder_ / name).string() + ": cannot be written: " + code.message();
+      *error = (folder_ / name).string() + ": cannot be written: " + SystemMessage(code);
       return false;
     }
   }

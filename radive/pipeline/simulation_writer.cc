@@ -14,6 +14,7 @@
 #include "radive/simulation/radar_simulator.h"
 #include "radive/util/number_text.h"
 #include "radive/util/output_folder.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 bool MakeFolder(const fs::path& folder, std::string* error) {
   std::error_code code;
   fs::create_directories(folder, code);
-  if (code) *error = folder.string() + ": cannot be created: " + code.message();
+  if (code) *error = folder.string() + ": cannot be created: " + SystemMessage(code);
   return !code;
 }
 

@@ -15,6 +15,7 @@
 #include "radive/util/file_lock.h"
 #include "radive/util/json.h"
 #include "radive/util/number_text.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -114,7 +115,7 @@ bool MakeStudyFolder(const Study& study, const fs::path& output, std::string* er
   std::error_code code;
   fs::create_directories(output, code);
   if (code) {
-    *error = output.string() + ": the output folder cannot be made: " + code.message();
+    *error = output.string() + ": the output folder cannot be made: " + SystemMessage(code);
     return false;
   }
   const auto lock = LockTables(output, error);

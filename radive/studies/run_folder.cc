@@ -13,6 +13,7 @@
 #include "radive/util/durable_files.h"
 #include "radive/util/json.h"
 #include "radive/util/output_folder.h"
+#include "radive/util/system_message.h"
 #include "radive/util/text.h"
 
 namespace radive {
@@ -69,7 +70,7 @@ std::optional<RunRecord> RunFolder::ReadRecord() const {
 bool RunFolder::MakeParent(std::string* error) const {
   std::error_code code;
   fs::create_directories(path_.parent_path(), code);
-  if (code) *error = path_.parent_path().string() + ": cannot be made: " + code.message();
+  if (code) *error = path_.parent_path().string() + ": cannot be made: " + SystemMessage(code);
   return !code;
 }
 
@@ -79,7 +80,7 @@ bool RunFolder::Begin(const StudyRun& run, std::string* error) const {
   if (!code) fs::remove_all(partial_, code);
   if (!code) fs::create_directory(partial_, code);
   if (code) {
-    *error = partial_.string() + ": cannot be made: " + code.message();
+    *error = partial_.string() + ": cannot be made: " + SystemMessage(code);
     return false;
   }
   // radive_odometry is told to read it, and writes the same text over it.

@@ -11,6 +11,7 @@
 #include "radive/pipeline/simulation_writer.h"
 #include "radive/util/content_hash.h"
 #include "radive/util/json.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -113,7 +114,7 @@ bool StudyInput::MakeFolders(std::string* error) const {
     std::error_code code;
     fs::create_directories(folder, code);
     if (code) {
-      *error = folder.string() + ": cannot be made: " + code.message();
+      *error = folder.string() + ": cannot be made: " + SystemMessage(code);
       return false;
     }
   }

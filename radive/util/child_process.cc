@@ -14,7 +14,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
+
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -64,7 +65,7 @@ std::unique_ptr<ChildProcess> ChildProcess::Start(const std::vector<std::string>
   return Start(
       [&](std::string* reason) {
         execv(arguments[0], arguments.data());
-        *reason = std::string(arguments[0]) + ": cannot be executed: " + std::strerror(errno);
+        *reason = std::string(arguments[0]) + ": cannot be executed: " + SystemMessage(errno);
         WriteText(*reason + "\n");
         _exit(127);
         return false;
@@ -92,7 +93,7 @@ std::unique_ptr<ChildProcess> ChildProcess::Start(
             child->pid_);  // here as well, lest Kill() come before the child's own call
     return child;
   }
-  *error = std::string("cannot start a process: ") + std::strerror(errno);
+  *error = "cannot start a process: " + SystemMessage(errno);
   return nullptr;
 }
 

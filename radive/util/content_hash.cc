@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <vector>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
 #include "radive/util/number_text.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -51,7 +51,7 @@ std::optional<std::vector<TreeFile>> ListTree(const fs::path& path, std::string*
     }
   }
   if (code) {
-    *error = path.string() + ": cannot be read: " + code.message();
+    *error = path.string() + ": cannot be read: " + SystemMessage(code);
     return std::nullopt;
   }
   std::sort(files.begin(), files.end(), [](const TreeFile& a, const TreeFile& b) {
@@ -80,7 +80,7 @@ bool AddBytes(const fs::path& path,
       break;
     }
   }
-  if (!ok) *error = path.string() + ": cannot be read: " + std::strerror(errno);
+  if (!ok) *error = path.string() + ": cannot be read: " + SystemMessage(errno);
   return ok;
 }
 

@@ -44,7 +44,7 @@ bool SyncTree(const fs::path& folder, std::string* error) {
     }
   }
   if (code) {
-    *error = folder.string() + ": cannot be listed: " + code.message();
+    *error = folder.string() + ": cannot be listed: " + SystemMessage(code);
     return false;
   }
   if (paths.size() > kManyFiles) return Sync(folder, syncfs, error);
@@ -70,7 +70,7 @@ bool ReplaceFolder(const fs::path& made, const fs::path& folder, std::string* er
     if (!code) fs::rename(made, folder, code);
   }
   if (code) {
-    *error = folder.string() + ": cannot be made: " + code.message();
+    *error = folder.string() + ": cannot be made: " + SystemMessage(code);
     return false;
   }
   if (!SyncPath(folder.parent_path(), error)) return false;

@@ -9,8 +9,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <utility>
+
+#include "radive/util/system_message.h"
 
 namespace radive {
 
@@ -28,7 +29,7 @@ std::optional<FileLock> FileLock::Take(const std::filesystem::path& file,
   }
   if (status == 0) return FileLock(fd);
   if (fd < 0 || errno != EWOULDBLOCK) {
-    *error = file.string() + ": cannot be locked: " + std::strerror(errno);
+    *error = file.string() + ": cannot be locked: " + SystemMessage(errno);
   }
   if (fd >= 0) close(fd);
   return std::nullopt;
@@ -40,7 +41,7 @@ std::optional<FileLock> FileLock::TakeFolder(const std::filesystem::path& folder
   for (;;) {
     const int fd = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (fd < 0) {
-      *error = folder.string() + ": cannot be locked: " + std::strerror(errno);
+      *error = folder.string() + ": cannot be locked: " + SystemMessage(errno);
       return std::nullopt;
     }
     if (flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "radive/util/durable_files.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -48,7 +49,7 @@ bool Check(const std::error_code& code,
            const fs::path& path,
            const char* what,
            std::string* error) {
-  if (code) *error = path.string() + ": " + what + ": " + code.message();
+  if (code) *error = path.string() + ": " + what + ": " + SystemMessage(code);
   return !code;
 }
 

@@ -10,7 +10,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -55,7 +56,7 @@ bool ReadToEnd(int file, std::uintmax_t max_bytes, std::string* bytes, std::stri
     if (count == 0) break;
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (count < 0) {
-      *reason = std::strerror(errno);
+      *reason = SystemMessage(errno);
       return false;
     }
     size += static_cast<std::size_t>(count);
@@ -78,7 +79,7 @@ bool ReadFileBytes(const std::filesystem::path& path,
   const Descriptor file(path);
   struct stat status {};
   if (file.number() < 0 || fstat(file.number(), &status) != 0) {
-    *reason = std::strerror(errno);
+    *reason = SystemMessage(errno);
   } else if (S_ISDIR(status.st_mode)) {
     *reason = "is a folder";
   } else if (static_cast<std::uintmax_t>(status.st_size) > max_bytes) {

@@ -75,8 +75,10 @@ def run(command, check=False, **options):
     return done
 
 
-def jobs(work, frames):
-    """radive_odometry and radive_report into folders with earlier results, radive_simulate anew."""
+def jobs(work, frames, names):
+    """radive_odometry and radive_report into folders with earlier results, radive_simulate anew.
+
+    Those of `names`; all of them where it is empty."""
     drive = work / "drive"
     simulate = [PROGRAMS / "radive_simulate", "--scenario=street_sparse", f"--frames={frames}"]
     simulate.append("--set=simulation.rate=4")
@@ -87,7 +89,7 @@ def jobs(work, frames):
     report = [PROGRAMS / "radive_report", work / "run", f"--reference={drive}/gt_tum.txt"]
     page = work / "report" / "out"
     copy = work / "simulate" / "out"
-    return [
+    every = [
         Job(
             "radive_odometry",
             out,
@@ -102,6 +104,7 @@ def jobs(work, frames):
             [*report, "--title=new", f"--output={page}"],
         ),
     ]
+    return [job for job in every if not names or job.name in names]
 
 
 def scratch():

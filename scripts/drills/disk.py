@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fills the disk: earlier results stay whole, the message names a file, afterwards it works again.
 
-  disk.py [FRAMES]
+  disk.py [FRAMES] [SIZES] [PROGRAM ...]
 
 50 sizes of free room on a tmpfs of its own; needs root.
 """
@@ -15,9 +15,6 @@ import sys
 
 import common
 
-SIZES = 50
-
-
 def fill(folder, leave):
     status = os.statvfs(folder)
     filler = folder / "filler"
@@ -25,14 +22,14 @@ def fill(folder, leave):
     return filler
 
 
-def drill(job, mount):
+def drill(job, mount, sizes):
     """Counts of old, new and bad ends over the sizes."""
     job.prepare()
     size = sum(path.stat().st_size for path in job.output.rglob("*") if path.is_file())
     counts = {"old": 0, "new": 0, "bad": 0}
-    for k in range(SIZES):
+    for k in range(sizes):
         job.restore()
-        filler = fill(mount, k * 3 * max(size, 65536) // SIZES)
+        filler = fill(mount, k * 3 * max(size, 65536) // sizes)
         done = common.run(job.new)
         state = job.state()
         filler.unlink()
@@ -48,6 +45,7 @@ def drill(job, mount):
 
 def main():
     frames = int(sys.argv[1]) if len(sys.argv) > 1 else 60
+    sizes = int(sys.argv[2]) if len(sys.argv) > 2 else 50
     if os.geteuid() != 0:
         print("TOTAL disk: skipped, needs root to mount a tmpfs")
         return 77
@@ -59,8 +57,8 @@ def main():
             print("TOTAL disk: skipped, a tmpfs cannot be mounted here")
             return 77
         try:
-            for job in common.jobs(mount, frames):
-                counts = drill(job, mount)
+            for job in common.jobs(mount, frames, sys.argv[3:]):
+                counts = drill(job, mount, sizes)
                 bad += counts["bad"]
                 print(f"{job.name}: {counts}", flush=True)
         finally:

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Kills programs with SIGKILL while they replace earlier results: the folder holds old or new, whole.
 
-  kill.py [RANDOM_KILLS] [FRAMES]
+  kill.py [RANDOM_KILLS] [FRAMES] [PROGRAM ...]
 
 Before every call that changes a name, by a preloaded library, and at random moments. The same
 command must work afterwards.
@@ -107,7 +107,7 @@ def main():
     with common.scratch() as folder:
         work = pathlib.Path(folder)
         library = build_library(work)
-        for job in common.jobs(work, frames):
+        for job in common.jobs(work, frames, sys.argv[3:]):
             states = collections.Counter()
             job.prepare()
             calls = at_each_call(job, library, states)

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cuts the power, on paper: replays the order of writes, and drops what was not synced.
 
-  power.py [FRAMES]
+  power.py [FRAMES] [PROGRAM ...]
 
 strace records what a program does. After each call the power may go: then of the changes of names any
 number may be on the disk, in their order, but at least those before the last sync of a folder; a
@@ -200,7 +200,7 @@ def main():
     worst = 0
     with common.scratch() as folder:
         work = pathlib.Path(folder).resolve()
-        for job in common.jobs(work, frames):
+        for job in common.jobs(work, frames, sys.argv[2:]):
             job.prepare()
             job.restore()
             root = job.output.parent

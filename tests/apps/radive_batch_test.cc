@@ -231,6 +231,36 @@ TEST_F(RadiveBatch, ReportsWhatCannotBeReadAndFinishesTheRest) {
   EXPECT_THAT(Results("out"), HasSubstr("\nnowhere,default,0,failed,"));
 }
 
+// A drive that is away, or becomes another one, while a run reads it: that run does not count, and
+// is done again.
+TEST_F(RadiveBatch, RunsOverInputThatChangesFail) {
+  WriteStudy(kHead);
+  ASSERT_EQ(Run("simulated").code, 0);
+  for (const char* name : {"away", "changed"}) {
+    fs::copy(In("simulated") / "data/one/0", In(name), fs::copy_options::recursive);
+  }
+  WriteStudy(
+      "set: {input.format: raw, input.layout: xyzdp5, output.map: none}\n"
+      "sequences:\n"
+      "  - {name: away, input: away}\n"
+      "  - {name: changed, input: changed}\n");
+  const std::string changed = In("changed").string();
+  const Outcome outcome =
+      Run("out",
+          {Program("case \"$*\" in */away/*) mv '" + In("away").string() + "' '" +
+                   In("elsewhere").string() +
+                   "';; */changed/*) '" RADIVE_ODOMETRY "' \"$@\" && echo '# more' >> '" + changed +
+                   "/times.txt'; exit 0;; esac")});
+  EXPECT_EQ(outcome.code, 2) << outcome.output;
+  EXPECT_THAT(Results("out"), HasSubstr("\naway,default,0,failed," + In("away").string()));
+  EXPECT_THAT(Results("out"),
+              HasSubstr("\nchanged,default,0,failed," + changed + ": changed while it was read"));
+  fs::rename(In("elsewhere"), In("away"));
+  const Outcome again = Run("out", {Program("")});
+  EXPECT_EQ(again.code, 0) << again.output;
+  EXPECT_THAT(Results("out"), Not(HasSubstr("failed")));
+}
+
 // Files may not grow beyond 40 KiB: to the runs of the long drive that is what a full disk is.
 TEST_F(RadiveBatch, ReportsAFullDiskAndFinishesTheRest) {
   WriteStudy(std::string(kHead) +

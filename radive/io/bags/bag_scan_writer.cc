@@ -50,6 +50,8 @@ std::unique_ptr<MessageWriter> Create(const BagForm& form,
     case BagFormat::kRosbag2: {
       SqliteBagWriter::Options options;
       options.zstd_messages = form.compression == Compression::kZstd;
+      // Not that of the folder, which has another one until it is complete.
+      options.name = "drive";
       return SqliteBagWriter::Create(folder, options, error);
     }
     case BagFormat::kMcap: {

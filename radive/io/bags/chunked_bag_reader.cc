@@ -322,6 +322,13 @@ void ChunkedBagReader::Queue(std::size_t chunk) {
 }
 
 MessageSource::Status ChunkedBagReader::Next(Message* message) {
+  const Status status = NextOfQueue(message);
+  if (read_error().empty()) return status;
+  error_ = read_error();
+  return Status::kError;
+}
+
+MessageSource::Status ChunkedBagReader::NextOfQueue(Message* message) {
   for (;;) {
     while (next_chunk_ < chunks_.size() &&
            (queue_.empty() ||

@@ -32,12 +32,18 @@ namespace radive {
 //
 // Damage is passed over with a warning: a message, the rest of a chunk. A chunk whose checksum is
 // wrong is read all the same, with a warning; that of a chunk without compression is looked at
-// where at least half of its bytes are wanted, for it takes all of them.
+// where at least half of its bytes are wanted, for it takes all of them. Bytes that the disk does
+// not give (RandomAccessFile::read_error) are no damage but an error.
 class ChunkedBagReader : public MessageSource {
  public:
   void Select(const std::vector<int>& topics) final;
   Status Next(Message* message) final;
   std::int64_t start_ns() const final;
+
+  // The file and why bytes of it could not be read; empty: all could be.
+  std::string read_error() const {
+    return file_->read_error().empty() ? "" : file_->name() + ": " + file_->read_error();
+  }
 
  protected:
   // Where a chunk is, known without reading it.
@@ -132,12 +138,13 @@ class ChunkedBagReader : public MessageSource {
   std::unique_ptr<Content> Unpack(std::size_t chunk, const ChunkHeader& header);
   void MakeRoom();
   void Queue(std::size_t chunk);
-  bool
-  WasClockSetBack();  // of the recorder; false where the starts of the chunks do not suggest it
+  // Of the recorder; false where the starts of the chunks do not suggest it.
+  bool WasClockSetBack();
   void TakeFileOrder();
   // Warns when the bytes of a chunk, all of them, are not what the checksum says; once for each.
   void CheckCrc(std::size_t chunk, const ChunkHeader& header, RandomAccessFile* bytes);
   bool SpendUnpacking(std::uint64_t size);
+  Status NextOfQueue(Message* message);
 
   const std::unique_ptr<RandomAccessFile> file_;
   const MessageLimits limits_;

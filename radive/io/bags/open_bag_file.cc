@@ -41,6 +41,14 @@ std::string WhyNoBag(std::string_view start) {
   return "";
 }
 
+// Null when the disk did not give the bytes that opening looked for: what was found is not all.
+std::unique_ptr<MessageSource> OpenedWhole(std::unique_ptr<ChunkedBagReader> reader,
+                                           std::string* error) {
+  if (reader == nullptr || reader->read_error().empty()) return reader;
+  *error = reader->read_error();
+  return nullptr;
+}
+
 // The file at `plain`; messages call it `name`.
 std::unique_ptr<MessageSource> OpenPlain(const fs::path& plain,
                                          const std::string& name,
@@ -57,10 +65,18 @@ std::unique_ptr<MessageSource> OpenPlain(const fs::path& plain,
     if (source == nullptr) return source;
     return std::unique_ptr<MessageSource>(new UnpackingMessageSource(std::move(source), limits));
   };
-  if (starts_with("#ROSBAG")) return Ros1BagReader::Open(std::move(file), limits, error);
-  if (starts_with("\x89MCAP")) return unpacking(McapReader::Open(std::move(file), limits, error));
+  if (starts_with("#ROSBAG")) {
+    return OpenedWhole(Ros1BagReader::Open(std::move(file), limits, error), error);
+  }
+  if (starts_with("\x89MCAP")) {
+    return unpacking(OpenedWhole(McapReader::Open(std::move(file), limits, error), error));
+  }
   if (starts_with("SQLite format 3")) {
     return unpacking(SqliteBagReader::Open(plain, name, limits, error));
+  }
+  if (!file->read_error().empty()) {
+    *error = name + ": " + file->read_error();
+    return nullptr;
   }
   *error = name + ": neither a ROS 1 bag nor the SQLite or MCAP file of a rosbag 2" +
            WhyNoBag(start.value_or(std::string_view()));

@@ -15,6 +15,7 @@
 #include "radive/io/bags/record_clock.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -74,7 +75,7 @@ std::unique_ptr<SqliteBagReader> SqliteBagReader::Open(const std::filesystem::pa
   const std::string name = shown_name.empty() ? path.string() : shown_name;
   std::error_code failure;
   if (!std::filesystem::is_regular_file(path, failure)) {
-    *error = name + ": " + (failure ? failure.message() : "no regular file");
+    *error = name + ": " + (failure ? SystemMessage(failure) : "no regular file");
     return nullptr;
   }
   if (IsLfsPointer(path, error)) return nullptr;
@@ -141,6 +142,13 @@ std::string SqliteBagReader::Reason() const {
   return std::string("cannot be read as a rosbag 2 file: ") + sqlite3_errmsg(database_.get());
 }
 
+// SQLite itself calls most of these errors damage, too.
+std::string SqliteBagReader::ReadError() const {
+  int number = 0;
+  sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_LAST_ERRNO, &number);
+  return number == 0 ? "" : "cannot be read: " + SystemMessage(number);
+}
+
 // Null, with the reason in error_, when the tables or their columns are not there.
 SqliteBagReader::Statement SqliteBagReader::Prepare(const std::string& sql) {
   sqlite3_stmt* statement = nullptr;
@@ -202,6 +210,8 @@ bool SqliteBagReader::CountMessages() {
                       "messages are taken in the order of the file");
   }
   if (status == SQLITE_DONE) return true;
+  error_ = ReadError();
+  if (!error_.empty()) return false;
   // What the index of the messages still finds can be read all the same.
   warnings_.Add("damaged files", name_ + ": is damaged or cut: " + Reason());
   for (MessageTopic& topic : topics_) topic.num_messages.reset();
@@ -221,8 +231,9 @@ void SqliteBagReader::Select(const std::vector<int>& topics) {
                       ") ORDER BY " + (is_in_file_order_ ? "rowid" : "timestamp, rowid"));
 }
 
-// Reads the payload of a row of `messages`. Returns what is wrong with it; empty: nothing.
-std::string SqliteBagReader::ReadPayload(std::int64_t row, bool* is_too_large) {
+// Reads the payload of a row of `messages`. Returns what is wrong with it, and whether the bag
+// cannot be read any further; empty: nothing.
+std::string SqliteBagReader::ReadPayload(std::int64_t row, bool* is_error) {
   sqlite3_blob* raw = blob_.get();
   int status = SQLITE_OK;
   if (raw == nullptr) {
@@ -233,17 +244,20 @@ std::string SqliteBagReader::ReadPayload(std::int64_t row, bool* is_too_large) {
   }
   if (status == SQLITE_OK) {
     const auto size = static_cast<std::size_t>(sqlite3_blob_bytes(raw));
-    *is_too_large = size > limits_.message;
-    if (*is_too_large) {
-      return "larger than " + std::to_string(limits_.message) +
+    *is_error = size > limits_.message;
+    if (*is_error) {
+      return "is larger than " + std::to_string(limits_.message) +
              " bytes, see input.max_message_bytes";
     }
     payload_.resize(size);
     status = sqlite3_blob_read(raw, payload_.data(), static_cast<int>(size), 0);
   }
   if (status == SQLITE_OK) return "";
+  const std::string damage = sqlite3_errmsg(database_.get());
   blob_.reset();  // it cannot be moved to another row any more
-  return std::string("damaged: ") + sqlite3_errmsg(database_.get());
+  const std::string read_error = ReadError();
+  *is_error = !read_error.empty();
+  return *is_error ? read_error : "is damaged: " + damage;
 }
 
 MessageSource::Status SqliteBagReader::Next(Message* message) {
@@ -257,17 +271,21 @@ MessageSource::Status SqliteBagReader::Next(Message* message) {
     const std::string where = name_ + ": message " + std::to_string(row) + " ";
     message->topic = topic_of_id_[sqlite3_column_int64(messages_.get(), 1)];
     message->record_ns = sqlite3_column_int64(messages_.get(), 2);
-    bool is_too_large = false;
-    if (std::string reason = ReadPayload(row, &is_too_large); !reason.empty()) {
-      if (is_too_large) {
-        error_ = where + "is " + reason;
+    bool is_error = false;
+    if (std::string reason = ReadPayload(row, &is_error); !reason.empty()) {
+      if (is_error) {
+        error_ = where + reason;
         return Status::kError;
       }
-      warnings_.Add("damaged messages in " + name_, where + "is " + reason + "; it is passed over");
+      warnings_.Add("damaged messages in " + name_, where + reason + "; it is passed over");
       continue;
     }
     message->payload = payload_;
     return Status::kMessage;
+  }
+  if (const std::string read_error = ReadError(); !read_error.empty()) {
+    error_ = name_ + ": " + read_error;
+    return Status::kError;
   }
   if (status != SQLITE_DONE) {
     warnings_.Add("damaged files",

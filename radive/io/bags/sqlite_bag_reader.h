@@ -63,8 +63,10 @@ class SqliteBagReader : public MessageSource {
   bool IsPlainTable(const std::string& name);
   bool ReadTopics();
   bool CountMessages();
-  std::string ReadPayload(std::int64_t row, bool* is_too_large);
+  std::string ReadPayload(std::int64_t row, bool* is_error);
   std::string Reason() const;
+  // Why the disk did not give bytes of the file, which is no damage of it; empty: it gave them.
+  std::string ReadError() const;
 
   std::int64_t num_steps_left_ = 0;  // of SQLite, in units of LimitSteps()
   // In this order, so that the database is closed last.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "radive/io/bytes/compression.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -41,7 +42,7 @@ std::unique_ptr<SqliteBagWriter> SqliteBagWriter::Create(const fs::path& folder,
   fs::create_directories(folder, failure);
   const fs::path file = folder / writer->FileName();
   if (failure || fs::exists(file)) {
-    *error = folder.string() + ": " + (failure ? failure.message() : "holds a bag already");
+    *error = folder.string() + ": " + (failure ? SystemMessage(failure) : "holds a bag already");
     return nullptr;
   }
   sqlite3* raw = nullptr;
@@ -70,6 +71,7 @@ std::unique_ptr<SqliteBagWriter> SqliteBagWriter::Create(const fs::path& folder,
 }
 
 std::string SqliteBagWriter::FileName() const {
+  if (!options_.name.empty()) return options_.name + "_0.db3";
   const fs::path name =
       folder_.has_filename() ? folder_.filename() : folder_.parent_path().filename();
   return name.string() + "_0.db3";

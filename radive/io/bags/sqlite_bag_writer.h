@@ -23,6 +23,7 @@ class SqliteBagWriter : public MessageWriter {
  public:
   struct Options {
     bool zstd_messages = false;  // each payload as a zstd frame (compression_mode MESSAGE)
+    std::string name = "";       // the file is NAME_0.db3; empty: the name of the folder
   };
 
   // Makes the folder. Null, with the place and the reason in `error`, when that fails or when it

@@ -67,7 +67,7 @@ class DiskFile : public RandomAccessFile {
   static constexpr std::uint64_t kWindow = 16384;
   static constexpr std::uint64_t kLargestSmallRead = 2048;
 
-  bool Fill(std::uint64_t position, std::string* bytes) const {
+  bool Fill(std::uint64_t position, std::string* bytes) {
     std::size_t done = 0;
     while (done < bytes->size()) {
       const ssize_t count = ::pread(descriptor_.number(),
@@ -75,6 +75,9 @@ class DiskFile : public RandomAccessFile {
                                     bytes->size() - done,
                                     static_cast<off_t>(position + done));
       if (count < 0 && errno == EINTR) continue;
+      if (count < 0) {
+        SetReadError("cannot be read " + AtByte(position + done) + ": " + SystemMessage(errno));
+      }
       if (count <= 0) return false;  // a file that has shrunk reads like one that is cut
       done += static_cast<std::size_t>(count);
     }

@@ -24,6 +24,10 @@ class RandomAccessFile {
   // [bytes], as it was when the file was opened.
   std::uint64_t size() const { return size_; }
 
+  // Why bytes that are there could not be read, since the file was opened; empty: all could be. A
+  // fault of the disk or of the network, which is no damage of the file.
+  const std::string& read_error() const { return read_error_; }
+
   // The bytes [position, position + count), in `buffer` or wherever they are in memory; valid until
   // the buffer changes. Nothing when some of them are beyond the end or cannot be read: no more
   // memory is taken than there are bytes.
@@ -37,10 +41,12 @@ class RandomAccessFile {
   bool Contains(std::uint64_t position, std::uint64_t count) const {
     return position <= size_ && count <= size_ - position;
   }
+  void SetReadError(const std::string& reason) { read_error_ = reason; }
 
  private:
   const std::string name_;
   const std::uint64_t size_;
+  std::string read_error_;
 };
 
 // Opens a file for reading. Null, with the file and the reason in `error`, when it cannot be

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "radive/util/read_file.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -50,8 +51,8 @@ bool ReadWholeFile(const std::filesystem::path& path,
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(path, failure);
   if (!std::filesystem::is_regular_file(status)) {
-    *error =
-        path.string() + ": cannot be opened: " + (failure ? failure.message() : "no regular file");
+    *error = path.string() +
+             ": cannot be opened: " + (failure ? SystemMessage(failure) : "no regular file");
     has_failed = static_cast<bool>(failure);
     return false;
   }

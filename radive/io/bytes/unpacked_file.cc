@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "radive/io/bytes/random_access_file.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -49,8 +50,7 @@ std::string Unpack(RandomAccessFile* compressed, std::FILE* file, std::uint64_t 
         return "unpacks to more than " + std::to_string(largest) + " bytes; no bag does";
       }
       if (std::fwrite(decoded.data(), 1, produced, file) != produced) {
-        return "cannot be unpacked into the folder of temporary files: " +
-               std::generic_category().message(errno);
+        return "cannot be unpacked into the folder of temporary files: " + SystemMessage(errno);
       }
     }
   }
@@ -68,14 +68,13 @@ std::unique_ptr<UnpackedFile> UnpackedFile::OfZstd(const std::filesystem::path& 
   const int descriptor = ::mkstemp(name.data());
   const FilePointer file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"), &std::fclose);
   if (file == nullptr) {
-    *error = path.string() + ": cannot be unpacked to " + name + ": " +
-             std::generic_category().message(errno);
+    *error = path.string() + ": cannot be unpacked to " + name + ": " + SystemMessage(errno);
     return nullptr;
   }
   std::unique_ptr<UnpackedFile> unpacked(new UnpackedFile(name));
   std::string reason = Unpack(compressed.get(), file.get(), compressed->size() * kLargestRatio);
   if (reason.empty() && std::fflush(file.get()) != 0) {
-    reason = "cannot be unpacked to " + name + ": " + std::generic_category().message(errno);
+    reason = "cannot be unpacked to " + name + ": " + SystemMessage(errno);
   }
   if (reason.empty()) return unpacked;
   *error = path.string() + ": " + reason;

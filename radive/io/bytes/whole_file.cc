@@ -36,7 +36,7 @@ bool RenameDurably(const fs::path& written, const fs::path& path, std::string* e
   if (is_done) {
     std::error_code failure;
     fs::rename(written, path, failure);
-    if (failure) *error = path.string() + ": cannot be written: " + failure.message();
+    if (failure) *error = path.string() + ": cannot be written: " + SystemMessage(failure);
     is_done = !failure;
   }
   if (!is_done) {

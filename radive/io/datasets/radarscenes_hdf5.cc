@@ -47,6 +47,8 @@ bool VisitRows(const Hdf5Table& table, const Visit& visit) {
   return true;
 }
 
+bool IsStamp(double microseconds) { return std::abs(microseconds) < kLatest; }
+
 // Looks for rows of a radar that are not in the order of time, or not with the rest of their scan.
 class RowOrder {
  public:
@@ -57,7 +59,7 @@ class RowOrder {
     const bool is_ours = sensor == radar_ || sensor_ == radar_;
     const bool shares_time = time == time_ && sensor != sensor_ && is_ours;
     const bool is_again = begins_scan && sensor == radar_ && !times_.insert(time).second;
-    if (!sensor || !(time >= time_) || shares_time || is_again) {
+    if (!sensor || !IsStamp(time) || !(time >= time_) || shares_time || is_again) {
       if (num_odd_++ == 0) first_odd_ = row;
     }
     time_ = time;
@@ -69,7 +71,7 @@ class RowOrder {
     if (num_odd_ == 0) return "";
     return std::to_string(num_odd_) +
            " rows are not in the order of time, lie apart from the rest of their scan or are of no "
-           "radar, the first is row " +
+           "radar or time, the first is row " +
            std::to_string(first_odd_) + "; scans may be lost, or split";
   }
 
@@ -81,8 +83,6 @@ class RowOrder {
   std::uint64_t num_odd_ = 0;
   std::uint64_t first_odd_ = 0;
 };
-
-bool IsStamp(double microseconds) { return std::abs(microseconds) < kLatest; }
 
 // NaN and hostile numbers are no sensor.
 std::optional<int> SensorOf(double number) {
@@ -172,9 +172,13 @@ bool RadarScenesHdf5Source::FindScans(std::vector<int>* radars, std::string* err
 // A table that has lost its end is whole in itself, but not beside the odometry.
 void RadarScenesHdf5Source::CompareWithOdometry() {
   constexpr double kMostMissing = 1.0;  // [s]
-  std::string ignored;
-  const auto poses = ReadRadarScenesOdometry(file_, &ignored);
-  if (scans_.empty() || !poses) return;
+  if (scans_.empty()) return;
+  std::string error;
+  const auto poses = ReadRadarScenesOdometry(file_, &error);
+  if (!poses) {
+    warnings_.push_back(error + "; without it nothing tells whether scans are lost");
+    return;
+  }
   const double late_start = StampSeconds(scans_.front().stamp_ns) - poses->front().stamp_s;
   const double early_end = poses->back().stamp_s - StampSeconds(scans_.back().stamp_ns);
   if (late_start <= kMostMissing && early_end <= kMostMissing) return;
@@ -201,8 +205,8 @@ ScanSource::Status RadarScenesHdf5Source::Next(RadarScan* scan) {
   const RadarScenesScan& entry = scans_[next_ - 1];
   std::vector<double> values;
   if (!table_->Read(entry.first_point, entry.num_points, &values)) {
-    warnings_.push_back(scan->place + " can no longer be read; taken as an empty scan");
-    return Status::kScan;
+    error_ = scan->place + " can no longer be read";
+    return Status::kError;
   }
   std::string records;
   for (std::size_t i = 0; i < entry.num_points; ++i) {

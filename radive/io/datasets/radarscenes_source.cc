@@ -13,6 +13,7 @@
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/io/scans/scan_stamps.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -40,7 +41,7 @@ class RadarScenesSource::PointFile {
     std::unique_ptr<PointFile> points(new PointFile(path, size));
     if (!failure && points->file_ == nullptr) failure = {errno, std::generic_category()};
     if (failure) {
-      *error = path.string() + ": cannot be opened (" + failure.message() +
+      *error = path.string() + ": cannot be opened (" + SystemMessage(failure) +
                "), expected the points of the radar, rows of 5 float32";
       return nullptr;
     }

@@ -12,6 +12,7 @@
 #include "radive/io/bytes/whole_file.h"
 #include "radive/io/points/point_file_writer.h"
 #include "radive/util/number_text.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -138,7 +139,7 @@ std::unique_ptr<ScanWriter> OpenScanWriter(const std::string& format,
     std::error_code failure;
     fs::create_directories(folder / form.folder, failure);
     if (failure) {
-      *error = (folder / form.folder).string() + ": cannot be created: " + failure.message();
+      *error = (folder / form.folder).string() + ": cannot be created: " + SystemMessage(failure);
       return nullptr;
     }
     return std::make_unique<PointFileWriter>(form, folder);

@@ -3,6 +3,7 @@
 
 #include "radive/io/points/ply.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -221,6 +222,7 @@ void ReadVertices(const PlyHeader& header,
     const std::size_t fit = reader->rest()->size() / table->stride;
     table->data = reader->rest()->data();
     table->num_points = vertex.count < fit ? static_cast<std::size_t>(vertex.count) : fit;
+    reader->rest()->remove_prefix(table->num_points * table->stride);
     return;
   }
   std::string record;
@@ -253,6 +255,15 @@ bool ParsePly(std::string_view bytes,
     if (table->num_points < element.count) {
       remarks->push_back("the header promises " + std::to_string(element.count) +
                          " points, the data hold " + std::to_string(table->num_points));
+    } else if (&element == &header.elements.back() && table->stride > 0) {
+      std::string_view rest = *reader.rest();
+      if (header.is_ascii) {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+      }
+      if (!rest.empty()) {
+        remarks->push_back(std::to_string(rest.size()) +
+                           " bytes behind the last point are ignored");
+      }
     }
     return true;
   }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "radive/io/bytes/record_file.h"
@@ -31,6 +32,11 @@ PointFolderSource::PointFolderSource(ScanFolder folder,
   CHECK_EQ(folder_.names.size(), folder_.stamps_ns.size());
   if (!folder_.stamp_doubt.empty()) warnings_.push_back(folder_.stamp_doubt);
   warnings_.insert(warnings_.end(), folder_.warnings.begin(), folder_.warnings.end());
+  for (std::size_t i = 0; i < folder_.names.size(); ++i) {
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::file_size(folder_.File(i), failure);
+    sizes_.push_back(failure ? 0 : size);
+  }
 }
 
 ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
@@ -45,10 +51,21 @@ ScanSource::Status PointFolderSource::PassOver(RadarScan* scan) {
   return Status::kScan;
 }
 
+// Somebody who cuts files while they are read would get a drive that never was.
+bool PointFolderSource::ReadFile(std::size_t index, std::string* reason) {
+  const std::string path = folder_.File(index).string();
+  if (!ReadWholeFile(path, &content_, reason, &is_unreadable_)) return false;
+  if (content_.size() >= sizes_[index]) return true;
+  is_unreadable_ = true;
+  *reason = path + ": has " + std::to_string(content_.size()) + " bytes, but had " +
+            std::to_string(sizes_[index]) + " when the drive was opened";
+  return false;
+}
+
 bool PointFolderSource::ReadReturns(RadarScan* scan,
                                     std::vector<std::string>* remarks,
                                     std::string* reason) {
-  if (!ReadWholeFile(scan->place, &content_, reason, &is_unreadable_)) return false;
+  if (!ReadFile(next_ - 1, reason)) return false;
   PointTable table;
   if (reader_->Read(content_, scan->stamp_ns, &table, remarks, reason) &&
       converter_.Convert(table, scan, reason)) {

@@ -33,9 +33,10 @@ class PointFileReader {
                     std::string* error) = 0;
 };
 
-// A folder with one file of points a scan, of any format. A file that cannot be read becomes an
+// A folder with one file of points a scan, of any format. A file that cannot be parsed becomes an
 // empty scan and a warning, because every scan of the drive gets its line in the trajectory. When
-// none of the first files can be read, that is an error.
+// none of the first files can, that is an error; so is a file that the disk does not give, or that
+// has been cut since the folder was opened.
 class PointFolderSource : public ScanSource {
  public:
   // `options` must be valid; `format` for reports: "raw float32 scans (xyz3)".
@@ -53,8 +54,10 @@ class PointFolderSource : public ScanSource {
  private:
   bool ReadReturns(RadarScan* scan, std::vector<std::string>* remarks, std::string* reason);
   bool CanReadOneOfTheNext();
+  bool ReadFile(std::size_t index, std::string* reason);
 
   const ScanFolder folder_;
+  std::vector<std::uintmax_t> sizes_;  // of the files when the folder was opened [bytes]
   const std::unique_ptr<PointFileReader> reader_;
   const std::string format_;
   PointConverter converter_;

@@ -16,6 +16,7 @@
 #include "radive/io/scans/stamp_names.h"
 #include "radive/util/natural_order.h"
 #include "radive/util/number_text.h"
+#include "radive/util/system_message.h"
 #include "radive/util/text.h"
 
 namespace radive {
@@ -325,7 +326,7 @@ bool ListFiles(const fs::path& folder,
     if (!it->is_directory(ignored)) names->push_back(std::move(name));
   }
   if (failure) {
-    *error = folder.string() + ": cannot be listed: " + failure.message();
+    *error = folder.string() + ": cannot be listed: " + SystemMessage(failure);
     return false;
   }
   std::sort(names->begin(), names->end(), NaturalLess);

@@ -86,6 +86,7 @@ Spikes FindSpikes(const RecordedTrajectory& poses,
   Spikes spikes;
   if (poses.size() < kFewestPoses) return spikes;
   std::vector<double> deviations(poses.size(), 0.0);
+  std::vector<double> shares(poses.size(), 0.5);
   std::vector<double> accelerations(poses.size(), HUGE_VAL);
   for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
     double share = 0.5;
@@ -97,6 +98,7 @@ Spikes FindSpikes(const RecordedTrajectory& poses,
       share = from_before / (from_before + to_after);
       squared_time = from_before * to_after;
     }
+    shares[i] = share;
     deviations[i] = deviation_of(
         poses[i - 1].T_world_body, poses[i].T_world_body, poses[i + 1].T_world_body, share);
     if (squared_time > 0.0) accelerations[i] = 2.0 * deviations[i] / squared_time;
@@ -107,6 +109,11 @@ Spikes FindSpikes(const RecordedTrajectory& poses,
   const double bound = std::max(least, kTimesMedian * *middle);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!(deviations[i] > bound && accelerations[i] > kAcceleration)) continue;
+    // A pose that is off takes a neighbour with it; one where the speed changes at once does not.
+    const bool has_moved_one_before = deviations[i - 1] > 0.5 * shares[i - 1] * deviations[i];
+    const bool has_moved_one_after =
+        deviations[i + 1] > 0.5 * (1.0 - shares[i + 1]) * deviations[i];
+    if (!has_moved_one_before && !has_moved_one_after) continue;
     ++spikes.count;
     if (deviations[i] > spikes.size) {
       spikes.size = deviations[i];

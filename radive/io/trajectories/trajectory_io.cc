@@ -13,6 +13,7 @@
 #include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/util/number_text.h"
+#include "radive/util/system_message.h"
 
 namespace radive {
 namespace {
@@ -104,7 +105,7 @@ bool WriteLines(const std::filesystem::path& file,
   }
   std::error_code code;
   std::filesystem::rename(part, file, code);
-  if (code) *error = file.string() + ": cannot be written: " + code.message();
+  if (code) *error = file.string() + ": cannot be written: " + SystemMessage(code);
   return !code;
 }
 

@@ -157,6 +157,14 @@ TEST_F(RadarScenesHdf5, WarnsWhenScansMayBeLost) {
   states[1].timestamp = 1180000;  // 1.01 s after the last detection
   EXPECT_THAT(warnings(kDetections, states),
               ElementsAre(HasSubstr("radar 2 begin 0.01 s after the odometry and end 1.01 s")));
+  // As bytes read at the wrong place are: of some radar, in the order of time, but of no time.
+  detections = kDetections;
+  detections.push_back({65536445644800000, 0, 10, 0, 5, -3, 0});
+  EXPECT_THAT(warnings(detections, kStates), Contains(HasSubstr("the first is row 4;")));
+  states[1].timestamp = 65536445644800000;
+  EXPECT_THAT(warnings(kDetections, states),
+              ElementsAre(AllOf(HasSubstr("odometry, row 1: expected finite numbers"),
+                                HasSubstr("nothing tells whether scans are lost"))));
 }
 
 TEST_F(RadarScenesHdf5, ItsOdometryIsTheGroundTruth) {

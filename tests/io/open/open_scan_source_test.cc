@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 
 #include "tests/io/scan_files.h"
 
@@ -88,24 +89,35 @@ class ThreeScans : public ScanSource {
   int position_ = 0;
 };
 
-// A drive that is away says nothing of its scans: they are not empty.
-TEST(OpenScanSource, AFileThatIsGoneEndsTheDriveWithAnError) {
+// The error at which a drive of two scans ends when `change` is done to the second after opening.
+std::string ErrorAfter(const std::function<void(const std::filesystem::path&)>& change) {
   const TempFolder folder;
   for (const char* name : {"000000.bin", "000001.bin"}) {
-    folder.Write(name, Floats({1.0, 2.0, 3.0}));
+    folder.Write(name, Floats({1.0, 2.0, 3.0, 4.0, 5.0, 6.0}));
   }
   InputOptions options;
   options.format = Format::kRaw;
   options.layout = "xyz3";
   std::string error;
   const auto source = OpenScanSource(folder.string(), options, &error);
-  ASSERT_NE(source, nullptr) << error;
+  if (source == nullptr) return error;
   RadarScan scan;
-  std::filesystem::remove(folder.path() / "000001.bin");
+  change(folder.path() / "000001.bin");
   ScanSource::Status status = source->Next(&scan);
   while (status == ScanSource::Status::kScan) status = source->Next(&scan);
-  EXPECT_EQ(status, ScanSource::Status::kError);
-  EXPECT_THAT(source->error(), AllOf(HasSubstr("000001.bin"), HasSubstr("No such file")));
+  return status == ScanSource::Status::kError ? source->error() : "";
+}
+
+// A drive that is away says nothing of its scans: they are not empty.
+TEST(OpenScanSource, AFileThatIsGoneEndsTheDriveWithAnError) {
+  EXPECT_THAT(ErrorAfter([](const auto& file) { std::filesystem::remove(file); }),
+              AllOf(HasSubstr("000001.bin"), HasSubstr("No such file")));
+}
+
+TEST(OpenScanSource, AFileThatIsCutEndsTheDriveWithAnError) {
+  EXPECT_THAT(ErrorAfter([](const auto& file) { std::filesystem::resize_file(file, 12); }),
+              AllOf(HasSubstr("000001.bin"), HasSubstr("has 12 bytes, but had 24")));
+  EXPECT_EQ(ErrorAfter([](const auto&) {}), "");
 }
 
 TEST(ScanSource, SkipReadsAndDropsByDefault) {

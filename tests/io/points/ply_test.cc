@@ -80,6 +80,18 @@ TEST_F(PlyTest, AFileThatEndsEarlyGivesWhatIsThere) {
   EXPECT_EQ(table_.num_points, 2u);
 }
 
+// As a file with bytes inserted has them; elements behind the vertices are nobody's concern.
+TEST_F(PlyTest, SaysThatBytesAreLeftOver) {
+  ASSERT_TRUE(Parse("ply\nformat ascii 1.0\n" + std::string(kVertices) + "1 2 3\n4 5 6\n7\n \n"));
+  EXPECT_THAT(remarks_, ElementsAre(HasSubstr("4 bytes behind the last point")));
+  const std::string header =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty uchar x\nproperty uchar y\n";
+  ASSERT_TRUE(Parse(header + "end_header\nabcd"));
+  EXPECT_THAT(remarks_, ElementsAre(HasSubstr("2 bytes behind the last point")));
+  ASSERT_TRUE(Parse(header + "element face 1\nproperty uchar z\nend_header\nabc"));
+  EXPECT_THAT(remarks_, IsEmpty());
+}
+
 TEST_F(PlyTest, SaysWhatIsWrong) {
   const std::pair<const char*, const char*> cases[] = {
       {"", "line 1: expected 'ply'"},

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "radive/io/trajectories/trajectory_io.h"
 
 namespace radive {
@@ -107,6 +109,19 @@ TEST(CheckPoses, SpikesAreDoubted) {
     bend.push_back(pose);
   }
   EXPECT_THAT(Doubts(bend), IsEmpty());
+  // Standing, then at once at 20 m/s: 1 m off its neighbours at the start, but no pose is wrong.
+  RecordedTrajectory start;
+  for (int k = -5; k <= 5; ++k) {
+    RecordedPose pose;
+    pose.stamp_ns = 100000000LL * (k + 5);
+    pose.stamp_s = 0.1 * (k + 5);
+    pose.T_world_body.translation = {2.0 * std::max(0, k), 0.0, 0.0};
+    start.push_back(pose);
+  }
+  EXPECT_THAT(Doubts(start), IsEmpty());
+  // A jump for good is told, by the poses before and behind it.
+  for (std::size_t i = 9; i < start.size(); ++i) start[i].T_world_body.translation.y() = 3.0;
+  EXPECT_THAT(Doubts(start), ElementsAre(HasSubstr("positions of 2 of 11 poses")));
 }
 
 TEST(CheckPoses, StampsThatGoBackAreDoubted) {
