@@ -54,6 +54,10 @@ double Advantage(double votes, double other_votes) {
   return (votes - other_votes) / std::sqrt(votes + other_votes + 1.0);
 }
 
+bool AreApart(const Eigen::Vector2d& by_points, const Eigen::Vector2d& by_doppler) {
+  return (by_points - by_doppler).norm() > std::max(kApart, kApartShare * by_doppler.norm());
+}
+
 // The unit that `scale` stands for, as a question.
 std::string UnitOf(double scale) {
   struct Unit {
@@ -116,17 +120,25 @@ void DopplerEvidence::AddPair(const DisplacementVotes& votes,
       v_points_ ? Eigen::Vector2d(*v_points_ * dt) : Eigen::Vector2d(0.0, 0.0);
   const double of_points = votes.At(by_points);
   if (v_points_) points_move_test_.Add(Advantage(of_points, standing));
+  last_ = LastPair();
+  last_.best = votes.Best();
   if (doppler.plus || doppler.minus) {
     const Eigen::Vector2d plus = doppler.plus ? *doppler.plus : Eigen::Vector2d(-*doppler.minus);
     const Eigen::Vector2d minus = doppler.minus ? *doppler.minus : Eigen::Vector2d(-plus);
     const double of_plus = votes.At(plus), of_minus = votes.At(minus);
     const double best = std::max(of_plus, of_minus);
+    last_.plus = plus;
+    last_.minus = minus;
+    last_.of_plus = of_plus;
+    last_.of_minus = of_minus;
     if ((plus - minus).norm() > 2.0 * kMinDisplacement) sign_.Add(Advantage(of_plus, of_minus));
     if (v_points_) {
-      const double apart = std::max(kApart, kApartShare * plus.norm());
-      const bool differs = (by_points - plus).norm() > apart && (by_points - minus).norm() > apart;
+      const bool differs = AreApart(by_points, plus) && AreApart(by_points, minus);
       agreeing_.Add(differs ? 0.0 : 1.0);
-      if (differs) points_.Add(Advantage(of_points, best));
+      if (differs) {
+        points_.Add(Advantage(of_points, best));
+        last_.of_points = of_points;
+      }
       doppler_way_ += plus.norm();
       points_way_ += by_points.norm();
       way_time_ += dt;
@@ -144,6 +156,24 @@ void DopplerEvidence::AddPair(const DisplacementVotes& votes,
     }
   }
   FollowPoints(votes, dt);
+}
+
+bool DopplerEvidence::LastPairConfirms(int sign) const {
+  if (!last_.plus) return false;
+  const Eigen::Vector2d& by_doppler = sign > 0 ? *last_.plus : last_.minus;
+  const Eigen::Vector2d& opposite = sign > 0 ? last_.minus : *last_.plus;
+  if (by_doppler.norm() < kMinDisplacement) return last_.best.norm() < kMinDisplacement;
+  return !AreApart(last_.best, by_doppler) && AreApart(last_.best, opposite);
+}
+
+double DopplerEvidence::LastAdvantage(int sign) const {
+  if (!last_.plus) return 0.0;
+  const double of_sign = sign > 0 ? last_.of_plus : last_.of_minus;
+  const double of_opposite = sign > 0 ? last_.of_minus : last_.of_plus;
+  const bool is_told_apart = (*last_.plus - last_.minus).norm() > 2.0 * kMinDisplacement;
+  const double over_opposite = is_told_apart ? Advantage(of_sign, of_opposite) : 0.0;
+  return last_.of_points ? std::min(over_opposite, Advantage(of_sign, *last_.of_points))
+                         : over_opposite;
 }
 
 void DopplerEvidence::BeginStretch() {
@@ -168,6 +198,11 @@ bool DopplerEvidence::PointsStand() const {
   const Eigen::Vector2d best = recent_.Best();
   return best.norm() < kMinDisplacement ||
          Advantage(recent_.At(best), recent_.At(Eigen::Vector2d::Zero())) < kMovingAdvantage;
+}
+
+std::optional<Eigen::Vector2d> DopplerEvidence::MotionOfPoints() const {
+  if (num_recent_ < kMinRecent || PointsStand()) return std::nullopt;
+  return v_points_;
 }
 
 bool DopplerEvidence::Disagrees(double min_t, double min_pairs) const {

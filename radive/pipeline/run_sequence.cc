@@ -139,6 +139,9 @@ class SequenceRun {
         return RunStatus::kFailed;
       }
       plausibility_.AddScan(scan);
+      if (const auto v_radar = checked_source_.check().MotionOfPoints(scan)) {
+        odometry_.StartMotion(scan.radar, *v_radar);
+      }
       OdometryResult result = odometry_.AddScan(scan);
       plausibility_.AddPose(result);
       if (!frame_) frame_.emplace(config_, scan.radar);
