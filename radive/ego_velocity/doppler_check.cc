@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "radive/preprocessing/preprocess.h"
 
@@ -30,6 +31,7 @@ constexpr double kFirstLook = 30.0;
 constexpr double kLook = 1.5;
 constexpr double kLookIntervalOpen = 8.0;
 constexpr double kLookInterval = 15.0;
+constexpr double kFirstLookInterval = 2.0;  // grows twofold from look to look
 
 // Where a radar is sure by its own points, the first look ends when it has had so many pairs to see
 // whether the Doppler has a wrong unit, and each later one at the first pair that confirms it.
@@ -167,13 +169,15 @@ void DopplerCheck::EndLookIfDone(std::int64_t stamp_ns, Radar* radar) {
     is_done = radar->evidence.NumScalePairs() >= kPairsOfFirstLook || time > kFirstLook;
   } else if (radar->last_pair_ns == stamp_ns) {
     radar->look_advantage.Add(radar->evidence.LastAdvantage(sign));
-    is_done |= radar->evidence.LastPairConfirms(sign) ||
-               (time > kLook && radar->look_advantage.t() > kDoubt);
+    is_done |= radar->evidence.LastScanHasPattern() &&
+               (radar->evidence.LastPairConfirms(sign) ||
+                (time > kLook && radar->look_advantage.t() > kDoubt));
   } else {
     is_done |= time > kLook && radar->look_advantage.count() == 0.0;
   }
   if (!is_done) return;
-  radar->next_look_ns = stamp_ns + static_cast<std::int64_t>(kLookInterval * 1e9);
+  radar->look_interval = std::clamp(2.0 * radar->look_interval, kFirstLookInterval, kLookInterval);
+  radar->next_look_ns = stamp_ns + static_cast<std::int64_t>(radar->look_interval * 1e9);
   radar->look_advantage = MeanTest();
 }
 
@@ -228,7 +232,10 @@ void DopplerCheck::Decide(int number, const DopplerFinding& finding, Radar* rada
   if (verdict == earlier && !was_assumed) return;
   radar->verdict = verdict;
   radar->look_begin_ns = radar->last_ns;
-  if (!first_decided_) first_decided_ = number;
+  if (!first_decided_) {
+    first_decided_ = number;
+    WarnOfOtherAssumptions(number);
+  }
   const bool is_change = earlier != Verdict::kOpen && earlier != verdict;
   const std::string since = is_change ? " from here on, after other evidence before" : "";
   if (verdict == Verdict::kOff) {
@@ -248,28 +255,41 @@ void DopplerCheck::Decide(int number, const DopplerFinding& finding, Radar* rada
   }
 }
 
+// They go by this radar from here on.
+void DopplerCheck::WarnOfOtherAssumptions(int number) {
+  const Verdict verdict = radars_.at(number).verdict;
+  for (const auto& [other, radar] : radars_) {
+    if (other == number || !radar.is_assumed || radar.verdict == verdict) continue;
+    Remark(true,
+           NameOf(other) + "Doppler goes by radar " + std::to_string(number) +
+               " from here on, after its sign was assumed otherwise before");
+  }
+}
+
 void DopplerCheck::Assume(int number) {
-  Radar& radar = radars_[number];
   if (IsDecided(number)) return;
+  Guess(number);
+  Remark(false, NameOf(number) + "so far " + radars_.at(number).why_assumed);
+}
+
+void DopplerCheck::Guess(int number) {
+  Radar& radar = radars_[number];
   radar.is_assumed = true;
   radar.verdict = Verdict::kPlus;
   if (sign_ == Sign::kGiven) {
-    Remark(true,
-           NameOf(number) +
-               "the points do not tell whether the Doppler is that of their motion; "
-               "it is believed");
+    radar.why_assumed =
+        "the points do not tell whether the Doppler is that of their motion; it is believed";
     return;
   }
   const double t = radar.evidence.SignEvidence();
   const bool points_tell = std::abs(t) > kLikelyT;
   if ((points_tell ? t : radar.forward) < 0.0) radar.verdict = Verdict::kMinus;
-  Remark(true,
-         NameOf(number) + "Doppler sign undecided, " +
-             (radar.verdict == Verdict::kPlus ? "+1" : "-1") + " assumed: " +
-             (radar.num_moving == 0 ? "the radar does not move"
-              : points_tell         ? "likelier by the motion of the points"
-                                    : "the vehicle then drives forward") +
-             "; set input.doppler_sign to be sure");
+  radar.why_assumed = std::string("Doppler sign undecided, ") +
+                      (radar.verdict == Verdict::kPlus ? "+1" : "-1") + " assumed: " +
+                      (radar.num_moving == 0 ? "the radar does not move"
+                       : points_tell         ? "likelier by the motion of the points"
+                                             : "the vehicle then drives forward") +
+                      "; set input.doppler_sign to be sure";
 }
 
 void DopplerCheck::Finish() {
@@ -281,13 +301,22 @@ void DopplerCheck::Finish() {
   for (auto& [number, radar] : radars_) {
     if (IsDecided(number)) continue;
     if (sign_ == Sign::kUnknown || radar.num_moving > 0) {
-      Assume(number);
+      Guess(number);
     } else if (Seconds(radar.last_ns - radar.begin_ns) > kLongStanding) {
       Remark(true,
              NameOf(number) +
                  "by its Doppler the radar never moved, and the points do not tell "
                  "otherwise");
     }
+  }
+  Conclude();
+}
+
+void DopplerCheck::Conclude() {
+  if (first_decided_) return;
+  for (auto& [number, radar] : radars_) {
+    if (!radar.is_assumed || radar.why_assumed.empty()) continue;
+    Remark(true, NameOf(number) + std::exchange(radar.why_assumed, ""));
   }
 }
 

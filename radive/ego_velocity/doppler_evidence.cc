@@ -42,6 +42,12 @@ constexpr double kMovingAdvantage = 1.0;
 constexpr int kMinReturns = 15;
 constexpr double kMinShareWithDoppler = 0.1;
 constexpr double kMaxChance = 0.8;
+constexpr double kPatternShare = 0.6;
+constexpr double kPatternAdvantage = 0.5;
+// Where a larger share agrees, as at walking pace by chance too.
+constexpr double kSlowPatternAdvantage = 0.15;
+constexpr double kMinScansSlow = 25.0;
+constexpr double kMinScansForSign = 8.0;
 constexpr double kMinScans = 15.0;
 constexpr double kMinScansAtEnd = 5.0;
 
@@ -104,12 +110,17 @@ double DopplerEvidence::Scale(int index) {
 void DopplerEvidence::AddFit(const DopplerFit& fit) {
   ++num_scans_;
   if (fit.share_with_doppler < kMinShareWithDoppler) ++num_without_numbers_;
+  last_has_pattern_ = true;
   if (fit.num_returns < kMinReturns) return;
   ++num_fits_tried_;
   if (!fit.v_plus && !fit.v_minus) ++num_without_fit_;
   if (fit.num_by_chance > kMaxChance * fit.num_returns) return;
-  share_.Add(static_cast<double>(fit.num_inliers) / fit.num_returns);
-  pattern_.Add(Advantage(fit.num_inliers, fit.num_by_chance));
+  const double share = static_cast<double>(fit.num_inliers) / fit.num_returns;
+  const double advantage = Advantage(fit.num_inliers, fit.num_by_chance);
+  share_.Add(share);
+  pattern_.Add(advantage);
+  last_has_pattern_ =
+      advantage >= (share < kPatternShare ? kPatternAdvantage : kSlowPatternAdvantage);
 }
 
 void DopplerEvidence::AddPair(const DisplacementVotes& votes,
@@ -205,6 +216,14 @@ std::optional<Eigen::Vector2d> DopplerEvidence::MotionOfPoints() const {
   return v_points_;
 }
 
+bool DopplerEvidence::HasNoPattern(double min_scans) const {
+  if (share_.mean() < kPatternShare) {
+    return pattern_.count() >= min_scans && pattern_.mean() < kPatternAdvantage;
+  }
+  return pattern_.count() >= std::max(min_scans, kMinScansSlow) &&
+         pattern_.mean() < kSlowPatternAdvantage;
+}
+
 bool DopplerEvidence::Disagrees(double min_t, double min_pairs) const {
   if (points_.count() >= min_pairs && points_.t() > min_t && points_.mean() > kMinMeanAgainst &&
       agreeing_.mean() < 0.5) {
@@ -256,7 +275,7 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
     finding.kind = DopplerFinding::Kind::kNoNumbers;
     finding.evidence =
         FormatText("Doppler is no number in %d of %d scans", num_without_numbers_, num_scans_);
-  } else if (pattern_.count() >= min_scans && share_.mean() < 0.6 && pattern_.mean() < 0.5) {
+  } else if (HasNoPattern(min_scans)) {
     finding.kind = DopplerFinding::Kind::kNoPattern;
     finding.evidence = FormatText(
         "Doppler makes no sense: only %.0f %% of the returns of a scan agree on a velocity, as "
@@ -274,7 +293,8 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
     finding.kind = DopplerFinding::Kind::kDisagrees;
     finding.evidence = DisagreementText();
   } else if (sign_.count() >= kMinPairs && std::abs(sign_.t()) > min_t &&
-             std::abs(sign_.mean()) > kMinMean && points_.t() < 2.0) {
+             std::abs(sign_.mean()) > kMinMean && points_.t() < 2.0 &&
+             (pattern_.count() < kMinScansForSign || pattern_.mean() > kSlowPatternAdvantage)) {
     finding.kind = sign_.mean() > 0.0 ? DopplerFinding::Kind::kPlus : DopplerFinding::Kind::kMinus;
     finding.evidence = FormatText(
         "by the motion of the points in %.0f pairs of scans, %.1f standard "

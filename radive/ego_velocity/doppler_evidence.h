@@ -65,6 +65,8 @@ class DopplerEvidence {
   // Its advantage for the Doppler of that sign over the opposite, and over the motion that the
   // points had in the pairs before [standard deviations].
   double LastAdvantage(int sign) const;
+  // The returns of the last scan agree on a velocity better than by chance, or are too few to tell.
+  bool LastScanHasPattern() const { return last_has_pattern_; }
   // Pairs by which factors other than 1 were looked for.
   double NumScalePairs() const { return other_scales_.front().count(); }
 
@@ -91,6 +93,7 @@ class DopplerEvidence {
   static double Scale(int index);
 
   void FollowPoints(const DisplacementVotes& votes, double dt);
+  bool HasNoPattern(double min_scans) const;
   bool Disagrees(double min_t, double min_pairs) const;
   std::string DisagreementText() const;
 
@@ -118,6 +121,7 @@ class DopplerEvidence {
     std::optional<double> of_points;  // where they moved otherwise in the pairs before
   };
   LastPair last_;
+  bool last_has_pattern_ = true;
 
   DisplacementVotes recent_;  // of the last pairs, all about the same time apart
   double recent_dt_ = 0.0;    // [s]; 0: none

@@ -81,8 +81,7 @@ Odometry::Impl::Radar* Odometry::Impl::RadarOf(int number) {
   const Rigid3 T_body_radar =
       is_vehicle ? T_vehicle_radar : T_vehicle_first_->Inverse() * T_vehicle_radar;
   const bool is_body = !is_vehicle && radars_.empty();
-  return &radars_
-              .emplace(number, Radar{RadarOdometry(options), T_body_radar, is_body, Rigid3()})
+  return &radars_.emplace(number, Radar{RadarOdometry(options), T_body_radar, is_body, Rigid3()})
               .first->second;
 }
 

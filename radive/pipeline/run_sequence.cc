@@ -48,6 +48,8 @@ class SequenceRun {
     }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
+    checked_source_.Conclude();
+    TellAboutSource();
     const std::vector<std::string> implausible = plausibility_.Warnings();
     for (const std::string& warning : implausible) Warn(warning);
     // Of zero scans that were asked for, zero poses are the result.
