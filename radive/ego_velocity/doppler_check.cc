@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "radive/preprocessing/preprocess.h"
 
@@ -30,9 +31,21 @@ constexpr double kFirstLook = 30.0;
 constexpr double kLook = 1.5;
 constexpr double kLookIntervalOpen = 8.0;
 constexpr double kLookInterval = 15.0;
+constexpr double kFirstLookInterval = 2.0;  // grows twofold from look to look
+
+// Where a radar is sure by its own points, the first look ends when it has had so many pairs to see
+// whether the Doppler has a wrong unit, and each later one at the first pair that confirms it.
+// Where none does, and on the average they speak against it by so much, the look goes on so long.
+constexpr double kPairsOfFirstLook = 15.0;
+constexpr double kDoubt = -1.0;     // [standard deviations]
+constexpr double kLongLook = 10.0;  // [s]
 
 // A drive that stands longer than this is remarkable [s].
 constexpr double kLongStanding = 10.0;
+
+// Velocities of the points that are kept for the scans that wait, and how far they hold [s].
+constexpr std::size_t kMostVelocities = 500;
+constexpr double kVelocityHolds = 3.0;
 
 // Evidence on the sign that outweighs the custom of driving forward [standard deviations].
 constexpr double kLikelyT = 1.5;
@@ -64,8 +77,7 @@ VotingPoints PointsOf(const RadarScan& scan,
 
 DopplerCheck::Verdict DopplerCheck::VerdictOf(int number) const {
   const auto entry = radars_.find(number);
-  const bool is_own = entry != radars_.end() && entry->second.verdict != Verdict::kOpen &&
-                      !entry->second.is_assumed;
+  const bool is_own = entry != radars_.end() && IsFirm(entry->second);
   if (!is_own && first_decided_) return radars_.at(*first_decided_).verdict;
   return entry == radars_.end() ? Verdict::kOpen : entry->second.verdict;
 }
@@ -86,8 +98,13 @@ std::string DopplerCheck::NameOf(int radar) const {
   return radars_.size() > 1 ? "radar " + std::to_string(radar) + ": " : "";
 }
 
+bool DopplerCheck::IsFirm(const Radar& radar) {
+  return radar.verdict != Verdict::kOpen && !radar.is_assumed;
+}
+
 bool DopplerCheck::IsLookingAt(std::int64_t stamp_ns, int number, const Radar& radar) const {
   if (radar.verdict == Verdict::kOff) return false;
+  if (IsFirm(radar)) return stamp_ns >= radar.next_look_ns.value_or(INT64_MIN);
   const double time = std::max(0.0, Seconds(stamp_ns - radar.begin_ns));
   const bool is_sure = IsDecided(number) && !radar.is_assumed;
   if (!is_sure && time < kFirstLook) return true;
@@ -109,6 +126,12 @@ void DopplerCheck::Add(const RadarScan& scan) {
     past.clear();
     return;
   }
+  // Where nothing is open, only the scans of pairs.
+  if (IsFirm(radar) && !past.empty() &&
+      Seconds(scan.stamp_ns - past.back().stamp_ns) < kUsualTime - kStampJitter) {
+    return;
+  }
+  if (past.empty()) radar.look_begin_ns = scan.stamp_ns;
   const DopplerFit fit = FitDoppler(scan, sensor);
   if (!is_looking && SaysStanding(fit)) {
     past.clear();
@@ -135,6 +158,27 @@ void DopplerCheck::Add(const RadarScan& scan) {
     AddPair(*before, *after, scan.radar, &radar);
   }
   Judge(scan.radar, /*is_end=*/false, &radar);
+  if (IsFirm(radar)) EndLookIfDone(scan.stamp_ns, &radar);
+}
+
+void DopplerCheck::EndLookIfDone(std::int64_t stamp_ns, Radar* radar) {
+  const double time = Seconds(stamp_ns - radar->look_begin_ns);
+  const int sign = radar->verdict == Verdict::kMinus ? -1 : 1;
+  bool is_done = time > kLongLook;
+  if (!radar->next_look_ns) {
+    is_done = radar->evidence.NumScalePairs() >= kPairsOfFirstLook || time > kFirstLook;
+  } else if (radar->last_pair_ns == stamp_ns) {
+    radar->look_advantage.Add(radar->evidence.LastAdvantage(sign));
+    is_done |= radar->evidence.LastScanHasPattern() &&
+               (radar->evidence.LastPairConfirms(sign) ||
+                (time > kLook && radar->look_advantage.t() > kDoubt));
+  } else {
+    is_done |= time > kLook && radar->look_advantage.count() == 0.0;
+  }
+  if (!is_done) return;
+  radar->look_interval = std::clamp(2.0 * radar->look_interval, kFirstLookInterval, kLookInterval);
+  radar->next_look_ns = stamp_ns + static_cast<std::int64_t>(radar->look_interval * 1e9);
+  radar->look_advantage = MeanTest();
 }
 
 void DopplerCheck::AddPair(const PastScan& before,
@@ -161,14 +205,19 @@ void DopplerCheck::AddPair(const PastScan& before,
                           dt,
                           {displacement(before.fit.v_plus, after.fit.v_plus),
                            displacement(before.fit.v_minus, after.fit.v_minus)});
+  if (!IsFirm(*radar)) {
+    if (const auto v_vehicle = radar->evidence.MotionOfPoints()) {
+      radar->motion_of_points.push_back({after.stamp_ns, *v_vehicle});
+    }
+    if (radar->motion_of_points.size() > kMostVelocities) radar->motion_of_points.pop_front();
+  }
   if (SaysStanding(before.fit) && SaysStanding(after.fit) && radar->evidence.PointsStand()) {
     radar->standing_until_ns = after.stamp_ns;
   }
 }
 
 void DopplerCheck::Judge(int number, bool is_end, Radar* radar) {
-  const bool is_firm = radar->verdict != Verdict::kOpen && !radar->is_assumed;
-  const DopplerFinding finding = radar->evidence.Judge(is_end, is_firm);
+  const DopplerFinding finding = radar->evidence.Judge(is_end, IsFirm(*radar));
   if (finding.kind != DopplerFinding::Kind::kOpen) Decide(number, finding, radar);
 }
 
@@ -182,7 +231,11 @@ void DopplerCheck::Decide(int number, const DopplerFinding& finding, Radar* rada
   const bool was_assumed = std::exchange(radar->is_assumed, false);
   if (verdict == earlier && !was_assumed) return;
   radar->verdict = verdict;
-  if (!first_decided_) first_decided_ = number;
+  radar->look_begin_ns = radar->last_ns;
+  if (!first_decided_) {
+    first_decided_ = number;
+    WarnOfOtherAssumptions(number);
+  }
   const bool is_change = earlier != Verdict::kOpen && earlier != verdict;
   const std::string since = is_change ? " from here on, after other evidence before" : "";
   if (verdict == Verdict::kOff) {
@@ -202,28 +255,41 @@ void DopplerCheck::Decide(int number, const DopplerFinding& finding, Radar* rada
   }
 }
 
+// They go by this radar from here on.
+void DopplerCheck::WarnOfOtherAssumptions(int number) {
+  const Verdict verdict = radars_.at(number).verdict;
+  for (const auto& [other, radar] : radars_) {
+    if (other == number || !radar.is_assumed || radar.verdict == verdict) continue;
+    Remark(true,
+           NameOf(other) + "Doppler goes by radar " + std::to_string(number) +
+               " from here on, after its sign was assumed otherwise before");
+  }
+}
+
 void DopplerCheck::Assume(int number) {
-  Radar& radar = radars_[number];
   if (IsDecided(number)) return;
+  Guess(number);
+  Remark(false, NameOf(number) + "so far " + radars_.at(number).why_assumed);
+}
+
+void DopplerCheck::Guess(int number) {
+  Radar& radar = radars_[number];
   radar.is_assumed = true;
   radar.verdict = Verdict::kPlus;
   if (sign_ == Sign::kGiven) {
-    Remark(true,
-           NameOf(number) +
-               "the points do not tell whether the Doppler is that of their motion; "
-               "it is believed");
+    radar.why_assumed =
+        "the points do not tell whether the Doppler is that of their motion; it is believed";
     return;
   }
   const double t = radar.evidence.SignEvidence();
   const bool points_tell = std::abs(t) > kLikelyT;
   if ((points_tell ? t : radar.forward) < 0.0) radar.verdict = Verdict::kMinus;
-  Remark(true,
-         NameOf(number) + "Doppler sign undecided, " +
-             (radar.verdict == Verdict::kPlus ? "+1" : "-1") + " assumed: " +
-             (radar.num_moving == 0 ? "the radar does not move"
-              : points_tell         ? "likelier by the motion of the points"
-                                    : "the vehicle then drives forward") +
-             "; set input.doppler_sign to be sure");
+  radar.why_assumed = std::string("Doppler sign undecided, ") +
+                      (radar.verdict == Verdict::kPlus ? "+1" : "-1") + " assumed: " +
+                      (radar.num_moving == 0 ? "the radar does not move"
+                       : points_tell         ? "likelier by the motion of the points"
+                                             : "the vehicle then drives forward") +
+                      "; set input.doppler_sign to be sure";
 }
 
 void DopplerCheck::Finish() {
@@ -235,7 +301,7 @@ void DopplerCheck::Finish() {
   for (auto& [number, radar] : radars_) {
     if (IsDecided(number)) continue;
     if (sign_ == Sign::kUnknown || radar.num_moving > 0) {
-      Assume(number);
+      Guess(number);
     } else if (Seconds(radar.last_ns - radar.begin_ns) > kLongStanding) {
       Remark(true,
              NameOf(number) +
@@ -243,6 +309,31 @@ void DopplerCheck::Finish() {
                  "otherwise");
     }
   }
+  Conclude();
+}
+
+void DopplerCheck::Conclude() {
+  if (first_decided_) return;
+  for (auto& [number, radar] : radars_) {
+    if (!radar.is_assumed || radar.why_assumed.empty()) continue;
+    Remark(true, NameOf(number) + std::exchange(radar.why_assumed, ""));
+  }
+}
+
+std::optional<Eigen::Vector3d> DopplerCheck::MotionOfPoints(const RadarScan& scan) const {
+  const auto entry = radars_.find(scan.radar);
+  if (entry == radars_.end() || Factor(scan.radar) != 0) return std::nullopt;
+  const std::deque<PlaneVelocity>& motion = entry->second.motion_of_points;
+  const auto time_to = [&scan](const PlaneVelocity& velocity) {
+    return std::abs(Seconds(velocity.stamp_ns - scan.stamp_ns));
+  };
+  const auto nearest = std::min_element(
+      motion.begin(), motion.end(), [&](const PlaneVelocity& a, const PlaneVelocity& b) {
+        return time_to(a) < time_to(b);
+      });
+  if (nearest == motion.end() || time_to(*nearest) > kVelocityHolds) return std::nullopt;
+  const Eigen::Vector3d v_vehicle(nearest->v_vehicle.x(), nearest->v_vehicle.y(), 0.0);
+  return sensor_.ForRadar(scan.radar).T_vehicle_radar().rotation.conjugate() * v_vehicle;
 }
 
 void DopplerCheck::Apply(RadarScan* scan) const {

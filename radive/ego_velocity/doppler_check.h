@@ -54,6 +54,8 @@ class DopplerCheck {
   void Add(const RadarScan& scan);
   // No scan follows: judges by what there is.
   void Finish();
+  // Of this drive nothing more will be used: warns of what is still assumed. Finish() does so too.
+  void Conclude();
 
   // Whether it is known what to do with the Doppler of this radar.
   bool IsDecided(int radar) const;
@@ -62,6 +64,10 @@ class DopplerCheck {
   // Gives up waiting for certainty: the Doppler is taken to have the sign that is likelier by the
   // points, or by which the vehicle drives forward where they say nothing.
   void Assume(int radar);
+
+  // Velocity of the radar about at the scan as its points have it [m/s], radar frame, where the
+  // Doppler is left out: what an odometry may start from. None where they do not tell.
+  std::optional<Eigen::Vector3d> MotionOfPoints(const RadarScan& scan) const;
 
   // Turns the Doppler, or takes it out of the scan, as decided; until then leaves it as stored.
   void Apply(RadarScan* scan) const;
@@ -81,23 +87,40 @@ class DopplerCheck {
     DopplerFit fit;
   };
 
+  struct PlaneVelocity {
+    std::int64_t stamp_ns;
+    Eigen::Vector2d v_vehicle;  // of the radar, vehicle's axes [m/s]
+  };
+
   struct Radar {
     DopplerEvidence evidence;
     std::deque<PastScan> past;
     std::optional<std::int64_t> last_pair_ns;
-    std::int64_t begin_ns = 0, last_ns = 0;  // first and last scan
+    std::int64_t look_begin_ns = 0;              // of the present look
+    std::optional<std::int64_t> next_look_ns;    // none as long as the first one lasts
+    MeanTest look_advantage;                     // of its pairs, for what is decided
+    double look_interval = 0.0;                  // to the next [s]
+    std::deque<PlaneVelocity> motion_of_points;  // before the verdict
+    std::int64_t begin_ns = 0, last_ns = 0;      // first and last scan
     std::int64_t standing_until_ns = INT64_MIN;
     Verdict verdict = Verdict::kOpen;  // by its own points
     bool is_assumed = false;           // the verdict is: it may change more easily
+    std::string why_assumed;           // the warning, should nothing else be found
     double forward = 0.0;              // sum of the forward speed by the Doppler as stored [m/s]
     int num_moving = 0;                // scans that move by the Doppler
   };
 
+  // By its own points, and for certain.
+  static bool IsFirm(const Radar& radar);
   // Which scans of a radar are looked at.
   bool IsLookingAt(std::int64_t stamp_ns, int number, const Radar& radar) const;
+  // Ends the look of a radar that is firm when it has seen enough.
+  static void EndLookIfDone(std::int64_t stamp_ns, Radar* radar);
   void AddPair(const PastScan& before, const PastScan& after, int number, Radar* radar) const;
   void Judge(int number, bool is_end, Radar* radar);
   void Decide(int number, const DopplerFinding& finding, Radar* radar);
+  void WarnOfOtherAssumptions(int number);
+  void Guess(int number);
   Verdict VerdictOf(int radar) const;
   std::string NameOf(int radar) const;
   void Remark(bool is_warning, const std::string& text) { remarks_.push_back({is_warning, text}); }

@@ -42,6 +42,12 @@ constexpr double kMovingAdvantage = 1.0;
 constexpr int kMinReturns = 15;
 constexpr double kMinShareWithDoppler = 0.1;
 constexpr double kMaxChance = 0.8;
+constexpr double kPatternShare = 0.6;
+constexpr double kPatternAdvantage = 0.5;
+// Where a larger share agrees, as at walking pace by chance too.
+constexpr double kSlowPatternAdvantage = 0.15;
+constexpr double kMinScansSlow = 25.0;
+constexpr double kMinScansForSign = 8.0;
 constexpr double kMinScans = 15.0;
 constexpr double kMinScansAtEnd = 5.0;
 
@@ -52,6 +58,10 @@ constexpr double kScaleStep = 0.04;  // of the logarithm
 // Advantage of a displacement over another, about in standard deviations.
 double Advantage(double votes, double other_votes) {
   return (votes - other_votes) / std::sqrt(votes + other_votes + 1.0);
+}
+
+bool AreApart(const Eigen::Vector2d& by_points, const Eigen::Vector2d& by_doppler) {
+  return (by_points - by_doppler).norm() > std::max(kApart, kApartShare * by_doppler.norm());
 }
 
 // The unit that `scale` stands for, as a question.
@@ -100,12 +110,17 @@ double DopplerEvidence::Scale(int index) {
 void DopplerEvidence::AddFit(const DopplerFit& fit) {
   ++num_scans_;
   if (fit.share_with_doppler < kMinShareWithDoppler) ++num_without_numbers_;
+  last_has_pattern_ = true;
   if (fit.num_returns < kMinReturns) return;
   ++num_fits_tried_;
   if (!fit.v_plus && !fit.v_minus) ++num_without_fit_;
   if (fit.num_by_chance > kMaxChance * fit.num_returns) return;
-  share_.Add(static_cast<double>(fit.num_inliers) / fit.num_returns);
-  pattern_.Add(Advantage(fit.num_inliers, fit.num_by_chance));
+  const double share = static_cast<double>(fit.num_inliers) / fit.num_returns;
+  const double advantage = Advantage(fit.num_inliers, fit.num_by_chance);
+  share_.Add(share);
+  pattern_.Add(advantage);
+  last_has_pattern_ =
+      advantage >= (share < kPatternShare ? kPatternAdvantage : kSlowPatternAdvantage);
 }
 
 void DopplerEvidence::AddPair(const DisplacementVotes& votes,
@@ -116,17 +131,25 @@ void DopplerEvidence::AddPair(const DisplacementVotes& votes,
       v_points_ ? Eigen::Vector2d(*v_points_ * dt) : Eigen::Vector2d(0.0, 0.0);
   const double of_points = votes.At(by_points);
   if (v_points_) points_move_test_.Add(Advantage(of_points, standing));
+  last_ = LastPair();
+  last_.best = votes.Best();
   if (doppler.plus || doppler.minus) {
     const Eigen::Vector2d plus = doppler.plus ? *doppler.plus : Eigen::Vector2d(-*doppler.minus);
     const Eigen::Vector2d minus = doppler.minus ? *doppler.minus : Eigen::Vector2d(-plus);
     const double of_plus = votes.At(plus), of_minus = votes.At(minus);
     const double best = std::max(of_plus, of_minus);
+    last_.plus = plus;
+    last_.minus = minus;
+    last_.of_plus = of_plus;
+    last_.of_minus = of_minus;
     if ((plus - minus).norm() > 2.0 * kMinDisplacement) sign_.Add(Advantage(of_plus, of_minus));
     if (v_points_) {
-      const double apart = std::max(kApart, kApartShare * plus.norm());
-      const bool differs = (by_points - plus).norm() > apart && (by_points - minus).norm() > apart;
+      const bool differs = AreApart(by_points, plus) && AreApart(by_points, minus);
       agreeing_.Add(differs ? 0.0 : 1.0);
-      if (differs) points_.Add(Advantage(of_points, best));
+      if (differs) {
+        points_.Add(Advantage(of_points, best));
+        last_.of_points = of_points;
+      }
       doppler_way_ += plus.norm();
       points_way_ += by_points.norm();
       way_time_ += dt;
@@ -144,6 +167,24 @@ void DopplerEvidence::AddPair(const DisplacementVotes& votes,
     }
   }
   FollowPoints(votes, dt);
+}
+
+bool DopplerEvidence::LastPairConfirms(int sign) const {
+  if (!last_.plus) return false;
+  const Eigen::Vector2d& by_doppler = sign > 0 ? *last_.plus : last_.minus;
+  const Eigen::Vector2d& opposite = sign > 0 ? last_.minus : *last_.plus;
+  if (by_doppler.norm() < kMinDisplacement) return last_.best.norm() < kMinDisplacement;
+  return !AreApart(last_.best, by_doppler) && AreApart(last_.best, opposite);
+}
+
+double DopplerEvidence::LastAdvantage(int sign) const {
+  if (!last_.plus) return 0.0;
+  const double of_sign = sign > 0 ? last_.of_plus : last_.of_minus;
+  const double of_opposite = sign > 0 ? last_.of_minus : last_.of_plus;
+  const bool is_told_apart = (*last_.plus - last_.minus).norm() > 2.0 * kMinDisplacement;
+  const double over_opposite = is_told_apart ? Advantage(of_sign, of_opposite) : 0.0;
+  return last_.of_points ? std::min(over_opposite, Advantage(of_sign, *last_.of_points))
+                         : over_opposite;
 }
 
 void DopplerEvidence::BeginStretch() {
@@ -168,6 +209,19 @@ bool DopplerEvidence::PointsStand() const {
   const Eigen::Vector2d best = recent_.Best();
   return best.norm() < kMinDisplacement ||
          Advantage(recent_.At(best), recent_.At(Eigen::Vector2d::Zero())) < kMovingAdvantage;
+}
+
+std::optional<Eigen::Vector2d> DopplerEvidence::MotionOfPoints() const {
+  if (num_recent_ < kMinRecent || PointsStand()) return std::nullopt;
+  return v_points_;
+}
+
+bool DopplerEvidence::HasNoPattern(double min_scans) const {
+  if (share_.mean() < kPatternShare) {
+    return pattern_.count() >= min_scans && pattern_.mean() < kPatternAdvantage;
+  }
+  return pattern_.count() >= std::max(min_scans, kMinScansSlow) &&
+         pattern_.mean() < kSlowPatternAdvantage;
 }
 
 bool DopplerEvidence::Disagrees(double min_t, double min_pairs) const {
@@ -221,7 +275,7 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
     finding.kind = DopplerFinding::Kind::kNoNumbers;
     finding.evidence =
         FormatText("Doppler is no number in %d of %d scans", num_without_numbers_, num_scans_);
-  } else if (pattern_.count() >= min_scans && share_.mean() < 0.6 && pattern_.mean() < 0.5) {
+  } else if (HasNoPattern(min_scans)) {
     finding.kind = DopplerFinding::Kind::kNoPattern;
     finding.evidence = FormatText(
         "Doppler makes no sense: only %.0f %% of the returns of a scan agree on a velocity, as "
@@ -239,7 +293,8 @@ DopplerFinding DopplerEvidence::Judge(bool is_end, bool is_firm) const {
     finding.kind = DopplerFinding::Kind::kDisagrees;
     finding.evidence = DisagreementText();
   } else if (sign_.count() >= kMinPairs && std::abs(sign_.t()) > min_t &&
-             std::abs(sign_.mean()) > kMinMean && points_.t() < 2.0) {
+             std::abs(sign_.mean()) > kMinMean && points_.t() < 2.0 &&
+             (pattern_.count() < kMinScansForSign || pattern_.mean() > kSlowPatternAdvantage)) {
     finding.kind = sign_.mean() > 0.0 ? DopplerFinding::Kind::kPlus : DopplerFinding::Kind::kMinus;
     finding.evidence = FormatText(
         "by the motion of the points in %.0f pairs of scans, %.1f standard "

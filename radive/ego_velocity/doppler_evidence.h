@@ -59,6 +59,17 @@ class DopplerEvidence {
  public:
   // `fit`: of a scan with returns.
   void AddFit(const DopplerFit& fit);
+  // The last pair confirms the Doppler of that sign by itself: the points moved as it says, or
+  // neither moved.
+  bool LastPairConfirms(int sign) const;
+  // Its advantage for the Doppler of that sign over the opposite, and over the motion that the
+  // points had in the pairs before [standard deviations].
+  double LastAdvantage(int sign) const;
+  // The returns of the last scan agree on a velocity better than by chance, or are too few to tell.
+  bool LastScanHasPattern() const { return last_has_pattern_; }
+  // Pairs by which factors other than 1 were looked for.
+  double NumScalePairs() const { return other_scales_.front().count(); }
+
   // The next pair is of scans some time after the last: what the points did before is over.
   void BeginStretch();
   // `dt`: between the scans [s].
@@ -70,6 +81,9 @@ class DopplerEvidence {
 
   // The last pairs say that the points stand, whatever the Doppler says.
   bool PointsStand() const;
+  // Velocity of the radar in the plane by the last pairs, whatever the Doppler says [m/s]; none
+  // where they do not tell, or stand.
+  std::optional<Eigen::Vector2d> MotionOfPoints() const;
   // Positive: for the Doppler as stored; in standard deviations.
   double SignEvidence() const { return sign_.t(); }
 
@@ -79,6 +93,7 @@ class DopplerEvidence {
   static double Scale(int index);
 
   void FollowPoints(const DisplacementVotes& votes, double dt);
+  bool HasNoPattern(double min_scans) const;
   bool Disagrees(double min_t, double min_pairs) const;
   std::string DisagreementText() const;
 
@@ -97,6 +112,16 @@ class DopplerEvidence {
   std::array<double, kNumScales> votes_by_scale_{};
   double votes_of_points_ = 0.0;  // in the pairs that votes_by_scale_ has
   double doppler_way_ = 0.0, points_way_ = 0.0, way_time_ = 0.0;  // [m, m, s]
+
+  struct LastPair {
+    std::optional<Eigen::Vector2d> plus;  // displacement by the Doppler as stored
+    Eigen::Vector2d minus = Eigen::Vector2d::Zero();
+    Eigen::Vector2d best = Eigen::Vector2d::Zero();  // that with the most votes
+    double of_plus = 0.0, of_minus = 0.0;
+    std::optional<double> of_points;  // where they moved otherwise in the pairs before
+  };
+  LastPair last_;
+  bool last_has_pattern_ = true;
 
   DisplacementVotes recent_;  // of the last pairs, all about the same time apart
   double recent_dt_ = 0.0;    // [s]; 0: none

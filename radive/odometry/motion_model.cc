@@ -37,6 +37,11 @@ MotionModel::MotionModel(const OdometryOptions& options)
       up_world_(UpRadar(T_vehicle_radar_)),
       vehicle_(options.motion) {}
 
+void MotionModel::Start(const Eigen::Vector3d& velocity) {
+  if (has_doppler_velocity_ || (has_moved_ && time_since_registered_ == 0.0)) return;
+  velocity_ = velocity;
+}
+
 // Time up to now in which no scan was seen, beyond the usual interval [s].
 double MotionModel::UnseenTime(double dt) const {
   return usual_interval_ > 0.0 ? std::max(0.0, dt - usual_interval_) : 0.0;
@@ -166,6 +171,7 @@ void MotionModel::Follow(const OdometryResult& result, double dt) {
     usual_interval_ = usual_interval_ == 0.0 ? dt : std::min(1.1 * usual_interval_, dt);
   }
   if (has_doppler_velocity_) velocity_ = result.ego_velocity.v_radar;
+  has_moved_ |= dt > 0.0 && result.status == OdometryResult::Status::kRegistered;
   covariance_ = result.covariance;
   time_since_registered_ =
       result.status == OdometryResult::Status::kPredicted ? time_since_registered_ + dt : 0.0;

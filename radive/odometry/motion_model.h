@@ -34,6 +34,10 @@ class MotionModel {
  public:
   explicit MotionModel(const OdometryOptions& options);
 
+  // Where no motion has been seen yet, or none since some scans, the velocity to predict from: of
+  // the radar, in its frame [m/s].
+  void Start(const Eigen::Vector3d& velocity);
+
   // Lets `dt` [s] pass.
   void Advance(double dt) { vehicle_.Advance(dt); }
 
@@ -76,6 +80,7 @@ class MotionModel {
   Rigid3 T_world_radar_;
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  // radar frame [m/s]
   bool has_doppler_velocity_ = false;                   // velocity_ was measured
+  bool has_moved_ = false;                              // velocity_ is that of a motion seen
   Eigen::Vector3d rate_ = Eigen::Vector3d::Zero();      // of turning, radar frame [rad/s]
   Matrix6d covariance_ = Matrix6d::Zero();
   double time_since_registered_ = 0.0;  // [s]

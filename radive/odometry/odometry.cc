@@ -38,6 +38,9 @@ class Odometry::Impl {
   }
 
   OdometryResult AddScan(const RadarScan& scan);
+  void StartMotion(int radar, const Eigen::Vector3d& v_radar) {
+    RadarOf(radar)->odometry.StartMotion(v_radar);
+  }
   std::vector<std::string> TakeNotes() { return std::exchange(notes_, {}); }
   std::vector<std::string> TakeWarnings() { return std::exchange(warnings_, {}); }
   std::vector<RadarSurface> TakeSurfaces();
@@ -50,7 +53,7 @@ class Odometry::Impl {
     Rigid3 T_world_own;  // own: the world frame of its odometry
   };
 
-  Radar* RadarOf(const RadarScan& scan);
+  Radar* RadarOf(int number);
   void TakeNotesOf(RadarOdometry* odometry);
   // From the radar's own world frame to that of the trajectory.
   void PlaceInWorld(int number, Radar* radar, OdometryResult* result);
@@ -67,19 +70,18 @@ class Odometry::Impl {
   std::vector<std::string> warnings_;
 };
 
-Odometry::Impl::Radar* Odometry::Impl::RadarOf(const RadarScan& scan) {
-  const auto known = radars_.find(scan.radar);
+Odometry::Impl::Radar* Odometry::Impl::RadarOf(int number) {
+  const auto known = radars_.find(number);
   if (known != radars_.end()) return &known->second;
   OdometryOptions options = options_;
-  options.sensor = options.sensor.ForRadar(scan.radar);
+  options.sensor = options.sensor.ForRadar(number);
   const Rigid3 T_vehicle_radar = options.sensor.T_vehicle_radar();
   if (!T_vehicle_first_) T_vehicle_first_ = T_vehicle_radar;
   const bool is_vehicle = options.motion.body == MotionOptions::Body::kVehicle;
   const Rigid3 T_body_radar =
       is_vehicle ? T_vehicle_radar : T_vehicle_first_->Inverse() * T_vehicle_radar;
   const bool is_body = !is_vehicle && radars_.empty();
-  return &radars_
-              .emplace(scan.radar, Radar{RadarOdometry(options), T_body_radar, is_body, Rigid3()})
+  return &radars_.emplace(number, Radar{RadarOdometry(options), T_body_radar, is_body, Rigid3()})
               .first->second;
 }
 
@@ -119,7 +121,7 @@ void Odometry::Impl::PlaceInWorld(int number, Radar* radar, OdometryResult* resu
 }
 
 OdometryResult Odometry::Impl::AddScan(const RadarScan& scan) {
-  Radar* const radar = RadarOf(scan);
+  Radar* const radar = RadarOf(scan.radar);
   OdometryResult result;
   if (last_stamp_ns_ && scan.stamp_ns < *last_stamp_ns_) {
     result.stamp_ns = scan.stamp_ns;
@@ -162,6 +164,9 @@ Odometry::Odometry(Odometry&&) noexcept = default;
 Odometry& Odometry::operator=(Odometry&&) noexcept = default;
 
 OdometryResult Odometry::AddScan(const RadarScan& scan) { return impl_->AddScan(scan); }
+void Odometry::StartMotion(int radar, const Eigen::Vector3d& v_radar) {
+  impl_->StartMotion(radar, v_radar);
+}
 std::vector<std::string> Odometry::TakeNotes() { return impl_->TakeNotes(); }
 std::vector<std::string> Odometry::TakeWarnings() { return impl_->TakeWarnings(); }
 std::vector<RadarSurface> Odometry::TakeSurfaces() { return impl_->TakeSurfaces(); }

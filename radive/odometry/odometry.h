@@ -42,6 +42,10 @@ class Odometry {
   // Never fails: a scan that cannot be used is reported in the result's status and reason.
   OdometryResult AddScan(const RadarScan& scan);
 
+  // Velocity of a radar, in its frame [m/s], to predict its next scan from. Only where its own
+  // motion is not known: no scan of it was registered yet, or none lately, and without Doppler.
+  void StartMotion(int radar, const Eigen::Vector3d& v_radar);
+
   // Remarks worth a line in the log ("scans carry no Doppler: ego velocity and weights are off").
   // Cleared by the call.
   std::vector<std::string> TakeNotes();

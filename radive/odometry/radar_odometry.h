@@ -31,6 +31,9 @@ class RadarOdometry {
   // left for the caller to fill in.
   OdometryResult AddScan(const RadarScan& scan);
 
+  // See Odometry::StartMotion.
+  void StartMotion(const Eigen::Vector3d& v_radar) { motion_.Start(v_radar); }
+
   // See Odometry::TakeSurfaces.
   std::optional<SurfaceRecord> TakeSurfaceRecord() {
     return submap_ == nullptr ? std::nullopt : submap_->TakeSurfaceRecord();

@@ -31,6 +31,8 @@ class DopplerCheckedSource : public ScanSource {
   std::optional<int> NumScans() const override { return source_->NumScans(); }
 
   const DopplerCheck& check() const { return check_; }
+  // No more scans will be taken.
+  void Conclude() { check_.Conclude(); }
   std::vector<DopplerRemark> TakeRemarks() { return check_.TakeRemarks(); }
 
  private:

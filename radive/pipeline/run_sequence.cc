@@ -48,6 +48,8 @@ class SequenceRun {
     }
     progress_.Message(stored_->Description());
     RunStatus status = AddScans(error);
+    checked_source_.Conclude();
+    TellAboutSource();
     const std::vector<std::string> implausible = plausibility_.Warnings();
     for (const std::string& warning : implausible) Warn(warning);
     // Of zero scans that were asked for, zero poses are the result.
@@ -139,6 +141,9 @@ class SequenceRun {
         return RunStatus::kFailed;
       }
       plausibility_.AddScan(scan);
+      if (const auto v_radar = checked_source_.check().MotionOfPoints(scan)) {
+        odometry_.StartMotion(scan.radar, *v_radar);
+      }
       OdometryResult result = odometry_.AddScan(scan);
       plausibility_.AddPose(result);
       if (!frame_) frame_.emplace(config_, scan.radar);

@@ -149,8 +149,44 @@ TEST(DopplerCheck, AnAssumedSignIsThatOfDrivingForward) {
     check.Add(ScanOfPosts(0, Eigen::Vector3d::Zero(), forward * kForward, -1.0));
     check.Assume(0);
     EXPECT_EQ(check.Factor(0), -1);
-    EXPECT_TRUE(check.TakeRemarks().at(0).is_warning);
+    EXPECT_FALSE(check.TakeRemarks().at(0).is_warning);
+    check.Conclude();
+    const auto remarks = check.TakeRemarks();
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_TRUE(remarks[0].is_warning);
+    EXPECT_THAT(remarks[0].text, HasSubstr("-1 assumed: the vehicle then drives forward"));
   }
+}
+
+// Two pairs of scans do not tell, some more do: what was only assumed is no warning any more.
+TEST(DopplerCheck, NoWarningOfWhatWasDecidedInTheEnd) {
+  const std::vector<RadarScan> scans = StaticScans(40, kForward, 1.0);
+  DopplerCheck check = Checked({scans.begin(), scans.begin() + 5});
+  check.Assume(0);
+  for (std::size_t i = 5; i < scans.size(); ++i) check.Add(scans[i]);
+  check.Finish();
+  const auto remarks = check.TakeRemarks();
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_THAT(remarks[0].text, HasSubstr("so far Doppler sign undecided"));
+  EXPECT_THAT(remarks[1].text, HasSubstr("Doppler sign +1: by the motion of the points"));
+  EXPECT_FALSE(remarks[0].is_warning || remarks[1].is_warning);
+}
+
+// In km/h it is left out; 8, 0.5 m/s by the points, also for scans before that was known.
+TEST(DopplerCheck, TellsTheMotionOfThePointsWhereTheDopplerIsLeftOut) {
+  SensorOptions sensor;
+  sensor.mount_yaw = 0.5;
+  const auto scans = Faulty(StaticScans(40, kForward, 1.0),
+                            [](const RadarReturn& ret) { return 3.6 * ret.doppler; });
+  const DopplerCheck check = Checked(scans, DopplerCheck::Sign::kUnknown, sensor);
+  ASSERT_EQ(check.Factor(0), 0);
+  for (const std::size_t i : {0u, 10u, 39u}) {
+    const auto v_radar = check.MotionOfPoints(scans[i]);
+    ASSERT_TRUE(v_radar);
+    EXPECT_LT((*v_radar - Eigen::Vector3d(8.0, 0.5, 0.0)).norm(), 0.3) << v_radar->transpose();
+  }
+  const DopplerCheck healthy = Checked(StaticScans(40, kForward, 1.0));
+  EXPECT_FALSE(healthy.MotionOfPoints(scans[0]));
 }
 
 // 20 s of the right sign, then of the wrong one: it says so and goes along.

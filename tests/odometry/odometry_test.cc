@@ -366,6 +366,29 @@ TEST(Odometry, EgoVelocityCanBeSwitchedOff) {
   EXPECT_NE(notes[0].find("switched off"), std::string::npos);
 }
 
+// 4 m from scan to scan and no Doppler: too far for a start from rest.
+TEST(Odometry, StartsWithTheMotionItIsTold) {
+  const StreetDrive drive{80.0};
+  for (const bool is_told : {false, true}) {
+    Odometry odometry(Options());
+    if (is_told) odometry.StartMotion(0, {80.5, 0.2, 0.0});
+    double error = 0.0;
+    for (int k = 0; k < 6; ++k) {
+      RadarScan scan = drive.ScanAt(k);
+      scan.has_doppler = false;
+      error = std::max(error, Error(odometry.AddScan(scan), drive.PositionAt(k)));
+      // Once it moves it goes by what it has seen.
+      odometry.StartMotion(0, {is_told ? -80.0 : 0.0, 0.0, 0.0});
+      if (k == 0 && is_told) odometry.StartMotion(0, {80.5, 0.2, 0.0});
+    }
+    if (is_told) {
+      EXPECT_LT(error, 0.1);
+    } else {
+      EXPECT_GT(error, 4.0);
+    }
+  }
+}
+
 TEST(Odometry, StatusWords) {
   EXPECT_STREQ(ToString(Status::kRegistered), "registered");
   EXPECT_STREQ(ToString(Status::kPredicted), "predicted");

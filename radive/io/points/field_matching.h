@@ -74,6 +74,7 @@ class FieldMatch {
 //
 //   doppler    doppler v_doppler_mps velocity radial_velocity radial_speed v_r vr range_rate
 //              rangeRate v vel speed car_vel_r
+//              (of those that are there PointConverter prefers one with fractions: no bins)
 //   power      power snr_db snr intensity rcs reflectivity
 //   range      range r                 azimuth  azimuth az azimuth_angle azimuth_deg
 //   elevation  elevation el elevation_angle elevation_deg

@@ -128,6 +128,19 @@ Readers<Number> CartesianReaders(const PointTable& table,
           make(table, match, FieldRole::kPower)};
 }
 
+// Numbers of bins are whole, and so are the zeros of a field that is not in use; speeds have
+// fractions.
+bool HasFractions(const PointTable& table, int index) {
+  const PointField& field = table.fields[static_cast<std::size_t>(index)];
+  if (field.count == 0) return false;
+  const AnyNumber value_of = {&field, table.is_big_endian};
+  for (std::size_t k = 0; k < table.num_points; ++k) {
+    const double value = value_of(table.data + k * table.stride);
+    if (std::isfinite(value) && value != std::round(value)) return true;
+  }
+  return false;
+}
+
 bool UsesOnlyFloat32(const PointTable& table, const FieldMatch& match) {
   if (table.is_big_endian) return false;
   for (const FieldRole role :
@@ -149,13 +162,16 @@ PointConverter::PointConverter(const InputOptions& options)
 
 bool PointConverter::Match(const PointTable& table, std::string* error) {
   if (!table.CheckFields(error)) return false;
-  if (has_matched_ && SameFields(fields_, table.fields)) return true;
+  const bool is_known = has_matched_ && SameFields(fields_, table.fields);
+  if (is_known && (has_chosen_doppler_ || table.num_points == 0)) return true;
   has_matched_ = false;
   const std::optional<FieldMatch> match = MatchFields(table.fields, choices_, error);
   if (!match) return false;
   match_ = *match;
   fields_ = table.fields;
   has_matched_ = true;
+  has_chosen_doppler_ = table.num_points > 0;
+  ChooseDoppler(table);
   summaries_.clear();
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     FieldSummary& summary = summaries_.emplace_back();
@@ -166,6 +182,21 @@ bool PointConverter::Match(const PointTable& table, std::string* error) {
     summary.max = -summary.min;
   }
   return true;
+}
+
+void PointConverter::ChooseDoppler(const PointTable& table) {
+  const int by_name = match_[FieldRole::kDoppler];
+  const bool is_given = std::any_of(choices_.begin(), choices_.end(), [](const auto& choice) {
+    return choice.first == FieldRole::kDoppler;
+  });
+  if (by_name < 0 || is_given || HasFractions(table, by_name)) return;
+  for (int i = 0; i < static_cast<int>(table.fields.size()); ++i) {
+    const bool is_doppler = RoleOfName(table.fields[static_cast<std::size_t>(i)].name) ==
+                            std::optional(FieldRole::kDoppler);
+    if (!is_doppler || !HasFractions(table, i)) continue;
+    match_.Set(FieldRole::kDoppler, i);
+    return;
+  }
 }
 
 void PointConverter::LookAt(const PointTable& table) {

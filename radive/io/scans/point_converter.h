@@ -37,6 +37,8 @@ class PointConverter {
   static constexpr int kScansLookedAt = 10;
 
   bool Match(const PointTable& table, std::string* error);
+  // Where several names are those of Doppler: not the field that holds bins.
+  void ChooseDoppler(const PointTable& table);
   void LookAt(const PointTable& table);
 
   const FieldChoices choices_;
@@ -45,6 +47,7 @@ class PointConverter {
   bool has_matched_ = false;
   std::vector<PointField> fields_;  // that `match_` is for
   FieldMatch match_;
+  bool has_chosen_doppler_ = false;
   int num_looked_at_ = 0;
   std::vector<FieldSummary> summaries_;
 };

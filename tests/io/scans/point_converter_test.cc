@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/io/scan_files.h"
 
@@ -48,6 +50,41 @@ TEST_F(PointConverterTest, ReadsPaddedFloat32ByOffset) {
   EXPECT_TRUE(std::isnan(scan_.returns[1].power));
   EXPECT_TRUE(scan_.has_doppler);
   EXPECT_FALSE(scan_.is_planar);
+}
+
+// As RADIal has it: numbers of bins in "doppler", m/s in "v".
+TEST_F(PointConverterTest, TakesTheFieldOfSpeedsNotThatOfBins) {
+  for (const char* name : {"x", "y", "doppler", "v"}) {
+    table_.AddField(name, NumericType::kFloat32);
+  }
+  ASSERT_TRUE(Convert(Floats({3, 4, 51, -7.6F, 30, 40, 127, 0}), 2)) << error_;
+  EXPECT_FLOAT_EQ(static_cast<float>(scan_.returns[0].doppler), -7.6F);
+  ASSERT_TRUE(Convert(Floats({3, 4, 51.5F, -7.6F, 30, 40, 127, 0}), 2)) << error_;
+  EXPECT_EQ(scan_.returns[0].doppler, 51.5);
+  options_.fields = "[doppler=doppler]";
+  ASSERT_TRUE(Convert(Floats({3, 4, 51, -7.6F, 30, 40, 127, 0}), 2)) << error_;
+  EXPECT_EQ(scan_.returns[0].doppler, 51.0);
+}
+
+// An empty scan first: the choice waits for points, and is kept for all scans.
+TEST_F(PointConverterTest, ChoosesTheFieldOfSpeedsByTheFirstPoints) {
+  for (const char* name : {"x", "y", "doppler", "v"}) {
+    table_.AddField(name, NumericType::kFloat32);
+  }
+  PointConverter converter(options_);
+  const std::vector<std::string> scans = {
+      "", Floats({3, 4, 51, -7.6F}), Floats({3, 4, 127, 0}), Floats({3, 4, 2.5F, 1})};
+  std::vector<double> dopplers;
+  for (const std::string& bytes : scans) {
+    table_.data = bytes.data();
+    table_.num_points = bytes.size() / table_.stride;
+    ASSERT_TRUE(converter.Convert(table_, &scan_, &error_)) << error_;
+    for (const RadarReturn& ret : scan_.returns) dopplers.push_back(ret.doppler);
+  }
+  ASSERT_EQ(dopplers.size(), 3u);
+  EXPECT_NEAR(dopplers[0], -7.6, 1e-6);
+  EXPECT_EQ(dopplers[1], 0.0);
+  EXPECT_EQ(dopplers[2], 1.0);
 }
 
 // Big-endian: int16 -2 = FF FE, uint16 65534 = FF FE, int32 -3, float64 1.5 = 3F F8 00.., int8 -1.
