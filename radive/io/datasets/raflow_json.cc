@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/trajectories/pose_text.h"
 
 namespace radive {

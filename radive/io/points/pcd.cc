@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/lzf.h"
 #include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/text_lines.h"
@@ -205,8 +206,8 @@ bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* err
     *error = "expected the two sizes of the compressed data, found the end of the file";
     return false;
   }
-  const std::size_t packed_size = ReadUnsigned<std::uint32_t>(payload.data(), false);
-  const std::size_t size = ReadUnsigned<std::uint32_t>(payload.data() + 4, false);
+  const std::size_t packed_size = NumberAt<std::uint32_t>(payload.data());
+  const std::size_t size = NumberAt<std::uint32_t>(payload.data() + 4);
   payload.remove_prefix(8);
   const auto promised = Promised(header, size / table->stride);
   if (packed_size > payload.size() || size % table->stride != 0 ||
