@@ -19,10 +19,9 @@ template <typename Number>
 using BitsOf = std::conditional_t<
     sizeof(Number) == 1,
     std::uint8_t,
-    std::conditional_t<
-        sizeof(Number) == 2,
-        std::uint16_t,
-        std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
+    std::conditional_t<sizeof(Number) == 2,
+                       std::uint16_t,
+                       std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>>;
 
 // The number at `bytes`, sizeof(Number) of them, which need not be aligned.
 template <typename Number>
@@ -46,9 +45,11 @@ void AppendLittleEndian(Number value, std::string* bytes) {
   static_assert(std::is_arithmetic_v<Number> && sizeof(BitsOf<Number>) == sizeof(Number));
   BitsOf<Number> bits;
   std::memcpy(&bits, &value, sizeof(value));
+  char raw[sizeof(Number)];
   for (std::size_t i = 0; i < sizeof(Number); ++i) {
-    *bytes += static_cast<char>(static_cast<std::uint64_t>(bits) >> (8 * i) & 0xFFU);
+    raw[i] = static_cast<char>(static_cast<std::uint64_t>(bits) >> (8 * i) & 0xFFU);
   }
+  bytes->append(raw, sizeof(Number));
 }
 
 // The bytes of `value`, little-endian.

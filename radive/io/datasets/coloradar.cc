@@ -26,7 +26,10 @@ std::optional<PoseColumns> ColoRadarTruthColumns(std::string_view /*names*/) {
 bool IsColoRadarTruth(const fs::path& file) { return file.filename() == kColoRadarTruth; }
 
 // groundtruth_poses.txt, and timestamps.txt beside it.
-bool ReadColoRadarTruth(const fs::path& path, int /*clip*/, Reference* reference, std::string* error) {
+bool ReadColoRadarTruth(const fs::path& path,
+                        int /*clip*/,
+                        Reference* reference,
+                        std::string* error) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(path, ignored) ? path / kColoRadarTruth : path;
   const fs::path stamp_file = file.parent_path() / "timestamps.txt";
@@ -61,8 +64,9 @@ Dataset ColoRadarDataset() {
   radar.written.folder = "single_chip/pointclouds/data";
   radar.written.columns = "coloradar5";
   radar.written.naming = WrittenForm::Naming::kRadarPointcloud;
-  dataset.truth_files = {{"groundtruth/groundtruth_poses.txt", ReferenceOptions::Format::kColoRadar},
-                         {kColoRadarTruth, ReferenceOptions::Format::kColoRadar}};
+  dataset.truth_files = {
+      {"groundtruth/groundtruth_poses.txt", ReferenceOptions::Format::kColoRadar},
+      {kColoRadarTruth, ReferenceOptions::Format::kColoRadar}};
   dataset.truth.format = ReferenceOptions::Format::kColoRadar;
   dataset.truth.is_file = IsColoRadarTruth;
   dataset.truth.columns = ColoRadarTruthColumns;

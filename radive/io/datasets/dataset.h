@@ -45,12 +45,12 @@ struct WrittenForm {
     kNanoseconds,      // stamp, 19 digits
     kSeconds           // stamp, SECONDS.NANOSECONDS
   };
-  std::string word;             // of radive_simulate --format; empty: it cannot be written
-  std::string folder;           // below the drive
-  std::string columns;          // of a record, see ParseRawLayout()
+  std::string word;     // of radive_simulate --format; empty: it cannot be written
+  std::string folder;   // below the drive
+  std::string columns;  // of a record, see ParseRawLayout()
   Naming naming = Naming::kNumber6;
-  bool has_times = true;        // times.txt, a line a scan [ns]
-  double power_offset = 0.0;    // what is stored is the power and this [dB]
+  bool has_times = true;      // times.txt, a line a scan [ns]
+  double power_offset = 0.0;  // what is stored is the power and this [dB]
 };
 
 // The scans of one sensor of a dataset, a file each.

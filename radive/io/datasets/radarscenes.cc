@@ -44,8 +44,8 @@ bool RecogniseRadarScenes(const fs::path& path, const std::string& folder, std::
 }
 
 std::unique_ptr<ScanSource> OpenRadarScenes(const fs::path& path,
-                                 const InputOptions& options,
-                                 std::string* error) {
+                                            const InputOptions& options,
+                                            std::string* error) {
   InputOptions chosen = options;
   if (chosen.radar.empty()) chosen.radar = kUsualRadar;
   if (const auto file = FindRadarScenesHdf5(path, chosen.folder)) {
@@ -55,8 +55,8 @@ std::unique_ptr<ScanSource> OpenRadarScenes(const fs::path& path,
 }
 
 std::optional<std::vector<RadarInput>> ListRadarScenesRadars(const fs::path& path,
-                                                    const InputOptions& options,
-                                                    std::string* error) {
+                                                             const InputOptions& options,
+                                                             std::string* error) {
   const std::optional<fs::path> file = FindRadarScenesHdf5(path, options.folder);
   const std::optional<std::vector<int>> numbers =
       file ? RadarsOfRadarScenesHdf5(*file, error) : RadarsOfRadarScenes(path / options.folder);
@@ -117,7 +117,10 @@ bool IsRadarScenesTruth(const fs::path& file) {
 }
 
 // The tables of all radars: each has the pose of the car at the odometry's stamp next to each scan.
-bool ReadRadarScenesTruth(const fs::path& path, int /*clip*/, Reference* reference, std::string* error) {
+bool ReadRadarScenesTruth(const fs::path& path,
+                          int /*clip*/,
+                          Reference* reference,
+                          std::string* error) {
   std::error_code ignored;
   if (const std::optional<fs::path> hdf5 = FindRadarScenesHdf5(path)) {
     return SetPoses(ReadRadarScenesOdometry(*hdf5, error), /*has_stamps=*/true, reference);

@@ -36,8 +36,8 @@ bool RecogniseRaFlow(const fs::path& path, const std::string& folder, std::strin
 }
 
 std::unique_ptr<ScanSource> OpenRaFlow(const fs::path& path,
-                                 const InputOptions& options,
-                                 std::string* error) {
+                                       const InputOptions& options,
+                                       std::string* error) {
   return RaFlowSource::Open(path, options, error);
 }
 

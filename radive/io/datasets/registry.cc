@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/datasets/dataset.h"
-
 #include <algorithm>
 
 #include "radive/io/bytes/text_lines.h"
+#include "radive/io/datasets/dataset.h"
 
 namespace radive {
 

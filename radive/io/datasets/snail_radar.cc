@@ -15,7 +15,7 @@ Dataset SnailRadarDataset() {
   ars548.format = InputOptions::Format::kPcd;
   ars548.written.word = "snail";
   ars548.written.folder = "ars548/points";
-  ars548.written.columns = 
+  ars548.written.columns =
       "x,y,z,doppler,intensity,range_std,azimuth_std,elevation_std,doppler_std";
   ars548.written.naming = WrittenForm::Naming::kSeconds;
   ars548.written.power_offset = 128.0;

@@ -8,9 +8,9 @@ namespace radive {
 namespace {
 
 bool ReadVodTruth(const std::filesystem::path& path,
-               int /*clip*/,
-               Reference* reference,
-               std::string* error) {
+                  int /*clip*/,
+                  Reference* reference,
+                  std::string* error) {
   return SetPoses(ReadVodPoses(path, error), /*has_stamps=*/false, reference);
 }
 

@@ -124,9 +124,8 @@ TEST(Datasets, RowsAreWhole) {
     EXPECT_TRUE(truth.read != nullptr || truth.columns != nullptr) << dataset.name;
     EXPECT_EQ(truth.find == nullptr, truth.files.empty()) << dataset.name;
     const auto is_own = [&](const TruthFile& known) { return known.format == truth.format; };
-    EXPECT_TRUE(truth.find != nullptr || std::any_of(dataset.truth_files.begin(),
-                                                     dataset.truth_files.end(),
-                                                     is_own))
+    EXPECT_TRUE(truth.find != nullptr ||
+                std::any_of(dataset.truth_files.begin(), dataset.truth_files.end(), is_own))
         << dataset.name << ": where is the ground truth?";
   }
 }

@@ -60,8 +60,8 @@ TEST_F(CsvDriveSourceTest, SplitsByTimeInTheOrderOfTheStamps) {
 // Numbers of scans tell their order, by value, and input.rate their stamps.
 TEST_F(CsvDriveSourceTest, FramesFollowTheRate) {
   options_.rate = 20.0;
-  const auto source = Open(
-      "frame,x,y\n10,5,0\n10,6,0\n10,7,0\n9,1,0\n9,2,0\n9,3,0\n11,8,0\n11,9,0\n11,10,0\n");
+  const auto source =
+      Open("frame,x,y\n10,5,0\n10,6,0\n10,7,0\n9,1,0\n9,2,0\n9,3,0\n11,8,0\n11,9,0\n11,10,0\n");
   ASSERT_NE(source, nullptr);
   RadarScan scan;
   ASSERT_EQ(source->PassOver(&scan), ScanSource::Status::kScan);
@@ -88,8 +88,7 @@ TEST_F(CsvDriveSourceTest, OtherTablesAreNoDrive) {
 
 TEST_F(CsvDriveSourceTest, ColumnsThatGiveNoPointsAreAnError) {
   options_.fields = "[doppler=v_none]";
-  const auto source = Open(
-      "frame,x,y\n1,1,0\n1,2,0\n1,3,0\n2,1,0\n2,2,0\n2,3,0\n");
+  const auto source = Open("frame,x,y\n1,1,0\n1,2,0\n1,3,0\n2,1,0\n2,2,0\n2,3,0\n");
   ASSERT_NE(source, nullptr);
   RadarScan scan;
   EXPECT_EQ(source->Next(&scan), ScanSource::Status::kError);
