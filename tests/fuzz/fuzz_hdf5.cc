@@ -4,23 +4,25 @@
 // radar_data.h5 of RadarScenes, detections and odometry. What libhdf5 itself makes of damaged files
 // happens in a child process, see hdf5_table.h, and ends there.
 
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "radive/io/datasets/radarscenes_hdf5.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const int file = memfd_create("fuzz.h5", 0);
-  if (file < 0 || ftruncate(file, 0) != 0 ||
-      pwrite(file, data, size, 0) != static_cast<ssize_t>(size)) {
-    std::abort();
-  }
-  const std::string path = "/proc/self/fd/" + std::to_string(file);
+  // libhdf5 takes a name, and none of /proc.
+  static const std::string path =
+      (std::filesystem::temp_directory_path() / ("fuzz_hdf5_" + std::to_string(getpid()))).string();
+  static const int is_to_be_removed = std::atexit([] { std::filesystem::remove(path); });
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  if (is_to_be_removed != 0) std::abort();
   std::string error;
   radive::InputOptions options;
   options.radar = "2";
