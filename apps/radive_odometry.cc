@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "apps/app_main.h"
 #include "radive/config/describe_config.h"
@@ -13,6 +14,7 @@
 #include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/input_report.h"
 #include "radive/pipeline/run_sequence.h"
+#include "radive/pipeline/thinned_source.h"
 #include "radive/util/exit_status.h"
 
 DEFINE_string(input, "", "Dataset folder or scan folder. Required.");
@@ -91,8 +93,13 @@ int main(int argc, char** argv) {
   auto config = radive::LoadRunConfig(FLAGS_config, FLAGS_set, &error);
   if (!config) return Fail(error);
   config->odometry.num_threads = FLAGS_threads;
-  const auto source = radive::OpenScanSource(FLAGS_input, config->input, &error);
+  auto source = radive::OpenScanSource(FLAGS_input, config->input, &error);
   if (source == nullptr) return Fail(error);
+  if (const radive::PerturbationOptions& perturbation = config->perturbation;
+      perturbation.drop > 0.0) {
+    source = std::make_unique<radive::ThinnedSource>(
+        std::move(source), perturbation.drop, perturbation.seed);
+  }
   if (!FLAGS_quiet) {
     const auto report = radive::InspectInput(FLAGS_input,
                                              config->input,

@@ -6,7 +6,8 @@ The same holds among the folders inside radive/io/.
   scripts/check_layers.py --self_test   checks the check
 
 Also: ceres::Solve is called in radive/solver/ alone, the library neither exits nor defines flags, and
-numbers go to and from text in radive/util/number_text alone, where the locale does not matter.
+numbers go to and from text in radive/util/number_text alone, where the locale does not matter; and
+what the library target is made of includes nothing of the targets radive_writers and radive_studies.
 """
 
 import pathlib
@@ -40,6 +41,30 @@ FORBIDDEN = [
      {"util"}),
     (re.compile(r"\bsetlocale\(|\blocale::global\("), "changes the locale of the program", set()),
 ]
+
+
+SOURCE_LIST = re.compile(r"^set\((radive_\w+)_sources\n(.*?)\)", re.MULTILINE | re.DOTALL)
+
+
+def separate_targets(cmake):
+    """Which files of radive/, without their ending, radive/CMakeLists.txt gives to another target than
+    the library."""
+    return {pathlib.PurePosixPath(name).with_suffix("").as_posix(): target
+            for target, names in SOURCE_LIST.findall(cmake) for name in names.split()}
+
+
+def target_violations(stem, text, targets):
+    """Yields (line number, what is wrong) for the file radive/STEM.* that includes from a target that
+    its own does not link: the studies link the writers, the library neither."""
+    allowed = {None: set(), "radive_writers": {"radive_writers"},
+               "radive_studies": {"radive_writers", "radive_studies"}}[targets.get(stem)]
+    for number, line in enumerate(text.splitlines(), 1):
+        include = INCLUDE.match(line)
+        if not include or not include.group(1).startswith("radive/"):
+            continue
+        target = targets.get(include.group(1)[len("radive/"):].rsplit(".", 1)[0])
+        if target is not None and target not in allowed:
+            yield number, f"includes {include.group(1)}, which is in {target}"
 
 
 def include_violation(folders, target):
@@ -85,6 +110,18 @@ def violations(folders, text):
 
 
 def self_test():
+    targets = separate_targets(
+        "add_library(radive a.cc)\nset(radive_writers_sources\n  io/w.cc\n  io/v.cc)\n"
+        "set(radive_studies_sources\n  studies/s.cc)\n")
+    assert targets == {"io/w": "radive_writers", "io/v": "radive_writers",
+                       "studies/s": "radive_studies"}
+    of_writer, of_study = '#include "radive/io/w.h"', '#include "radive/studies/s.h"'
+    assert len(list(target_violations("io/r", of_writer, targets))) == 1
+    assert not list(target_violations("io/r", '#include "radive/io/x.h"', targets))
+    assert not list(target_violations("io/v", of_writer, targets))
+    assert not list(target_violations("studies/s", of_writer, targets))
+    assert len(list(target_violations("io/w", of_study, targets))) == 1
+
     def count(folder, text):
         return len(list(violations(folder.split("/"), text)))
 
@@ -127,10 +164,14 @@ def main():
         self_test()
         return 0
     files = sorted(p for p in (ROOT / "radive").rglob("*") if p.suffix in (".h", ".cc"))
-    found = 0
+    targets = separate_targets((ROOT / "radive/CMakeLists.txt").read_text(encoding="utf-8"))
+    found = 0 if targets else 1
     for path in files:
         relative = path.relative_to(ROOT)
-        for number, message in violations(relative.parts[1:-1], path.read_text(encoding="utf-8")):
+        text = path.read_text(encoding="utf-8")
+        stem = relative.relative_to("radive").with_suffix("").as_posix()
+        for number, message in [*violations(relative.parts[1:-1], text),
+                                *target_violations(stem, text, targets)]:
             print(f"{relative}:{number}: {message}")
             found += 1
     print(f"{len(files)} files, {found} violations of the layers")

@@ -6,8 +6,9 @@ set -euo pipefail
 packages=(
   build-essential cmake libceres-dev libeigen3-dev libsuitesparse-dev libgoogle-glog-dev libgflags-dev
   libyaml-cpp-dev libnanoflann-dev robin-map-dev nlohmann-json3-dev libgtest-dev libgmock-dev
-  libbenchmark-dev libsqlite3-dev libbz2-dev liblz4-dev libzstd-dev libhdf5-dev libxxhash-dev zlib1g-dev
-  locales pkg-config python3 python3-numpy python3-matplotlib python3-rosbag python3-h5py
+  libbenchmark-dev libsqlite3-dev libbz2-dev liblz4-dev liblzf-dev libzstd-dev libhdf5-dev libxxhash-dev
+  zlib1g-dev locales pkg-config python3 python3-numpy python3-matplotlib python3-rosbag
+  python3-h5py
 )
 
 missing=()

@@ -13,12 +13,13 @@ std::vector<std::pair<std::string, std::vector<OptionField>>> RunConfig::Stages(
   for (auto& stage : odometry.Stages()) stages.push_back(std::move(stage));
   stages.emplace_back("output", output.Fields());
   stages.emplace_back("reference", reference.Fields());
+  stages.emplace_back("perturbation", perturbation.Fields());
   return stages;
 }
 
 bool RunConfig::IsValid(std::string* error) const {
   if (!input.IsValid(error) || !odometry.IsValid(error) || !output.IsValid(error) ||
-      !reference.IsValid(error)) {
+      !reference.IsValid(error) || !perturbation.IsValid(error)) {
     return false;
   }
   if (output.NeedsSurface() && odometry.submap.type != SubmapOptions::Type::kSdf) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radive/config/output_options.h"
+#include "radive/config/perturbation_options.h"
 #include "radive/io/scans/input_options.h"
 #include "radive/io/trajectories/reference_options.h"
 #include "radive/odometry/odometry_options.h"
@@ -21,6 +22,7 @@ struct RunConfig {
   OdometryOptions odometry;
   OutputOptions output;
   ReferenceOptions reference;
+  PerturbationOptions perturbation;
 
   // All settings as configuration files name them: ("registration", its fields). The fields point
   // into this object.

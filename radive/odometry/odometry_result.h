@@ -11,6 +11,7 @@
 #include "radive/ego_velocity/ego_velocity.h"
 #include "radive/geometry/pose_covariance.h"
 #include "radive/geometry/rigid3.h"
+#include "radive/preprocessing/drop_counts.h"
 
 namespace radive {
 
@@ -42,6 +43,7 @@ struct OdometryResult {
 
   int num_returns = 0;      // in the scan
   int num_kept = 0;         // left after all filters
+  DropCounts dropped;       // why the others are not
   int num_gaussians = 0;    // source Gaussians
   int num_pairs = 0;        // correspondences of the last association
   int num_iterations = 0;   // LM steps, all associations together

@@ -40,7 +40,8 @@ void Unwrap(const Eigen::Vector3d& v_radar, double span, std::vector<RadarReturn
 }  // namespace
 
 std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn>& returns,
-                                                   const Eigen::Vector3d& v_radar) const {
+                                                   const Eigen::Vector3d& v_radar,
+                                                   DropCounts* dropped) const {
   const double noise_ratio = options_.ego_velocity.sigma_angle / options_.sensor.sigma_doppler;
   const std::vector<bool> keep = KeepMask(
       returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio, options_.sensor.doppler_span);
@@ -48,6 +49,7 @@ std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) kept.push_back(returns[i]);
   }
+  dropped->moving += static_cast<int>(returns.size() - kept.size());
   if (!options_.occlusion.enabled) return kept;
 
   std::vector<double> azimuths, ranges;
@@ -61,18 +63,20 @@ std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn
   for (std::size_t i = 0; i < kept.size(); ++i) {
     if (counts[i] <= options_.occlusion.max_count) visible.push_back(kept[i]);
   }
+  dropped->occluded += static_cast<int>(kept.size() - visible.size());
   return visible;
 }
 
 FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
   Stopwatch stopwatch;
+  DropCounts& dropped = result->dropped;
   FilteredScan filtered;
   filtered.is_planar = scan.is_planar;
   const bool has_bins_first = options_.preprocessing.azimuth_bin_order ==
                               PreprocessingOptions::AzimuthBinOrder::kBeforeVelocity;
   filtered.returns = has_bins_first
-                         ? Preprocess(scan, options_.sensor, options_.preprocessing, nullptr)
-                         : CorrectAndGate(scan, options_.sensor, options_.preprocessing, nullptr);
+                         ? Preprocess(scan, options_.sensor, options_.preprocessing, &dropped)
+                         : CorrectAndGate(scan, options_.sensor, options_.preprocessing, &dropped);
   result->times_ms.preprocessing = stopwatch.Lap();
 
   const bool use_doppler = scan.has_doppler && options_.ego_velocity.enabled;
@@ -81,15 +85,18 @@ FilteredScan ScanFilter::Filter(const RadarScan& scan, OdometryResult* result) {
     // Without a velocity nothing tells static returns from moving ones. But where the Doppler
     // wraps, the first scans may leave it open for long: they count as scans without Doppler.
     if (HasVelocity(result->ego_velocity)) {
-      filtered.returns = StaticReturns(filtered.returns, result->ego_velocity.v_radar);
+      filtered.returns = StaticReturns(filtered.returns, result->ego_velocity.v_radar, &dropped);
       Unwrap(result->ego_velocity.v_radar, options_.sensor.doppler_span, &filtered.returns);
     } else if (options_.sensor.doppler_span == 0.0) {
+      dropped.no_velocity += static_cast<int>(filtered.returns.size());
       filtered.returns.clear();
     }
   }
   result->times_ms.ego_velocity = stopwatch.Lap();
   if (!has_bins_first) {
+    const std::size_t num_before = filtered.returns.size();
     filtered.returns = FilterAzimuthBins(filtered.returns, options_.preprocessing);
+    dropped.behind_nearest += static_cast<int>(num_before - filtered.returns.size());
   }
   filtered.weights =
       use_doppler && HasVelocity(result->ego_velocity) && options_.ego_velocity.weights

@@ -38,12 +38,13 @@ class ScanFilter {
   ScanFilter(const OdometryOptions& options, const SensorOptions& sensor)
       : options_(options), ego_velocity_(options.ego_velocity, sensor, options.occlusion) {}
 
-  // Writes ego_velocity, num_kept and the times of both stages to `result`.
+  // Writes ego_velocity, num_kept, dropped and the times of both stages to `result`.
   FilteredScan Filter(const RadarScan& scan, OdometryResult* result);
 
  private:
   std::vector<RadarReturn> StaticReturns(const std::vector<RadarReturn>& returns,
-                                         const Eigen::Vector3d& v_radar) const;
+                                         const Eigen::Vector3d& v_radar,
+                                         DropCounts* dropped) const;
 
   const OdometryOptions options_;
   EgoVelocityEstimator ego_velocity_;

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+
+#include "radive/io/bytes/byte_order.h"
 
 namespace radive {
 namespace {
@@ -27,19 +28,8 @@ std::string PlyHeader(std::size_t num_vertices,
   return header + "end_header\n";
 }
 
-void AppendUint32(std::uint32_t bits, std::string* bytes) {
-  for (int shift = 0; shift < 32; shift += 8) *bytes += static_cast<char>((bits >> shift) & 0xFFu);
-}
-
-void AppendFloat(double value, std::string* bytes) {
-  const float number = static_cast<float>(value);
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &number, sizeof(bits));
-  AppendUint32(bits, bytes);
-}
-
 void AppendFloats(const Eigen::Vector3d& values, std::string* bytes) {
-  for (int axis = 0; axis < 3; ++axis) AppendFloat(values[axis], bytes);
+  for (int axis = 0; axis < 3; ++axis) AppendLittleEndian(static_cast<float>(values[axis]), bytes);
 }
 
 std::vector<SurfacePoint> InWorld(const Rigid3& T_world_map, std::vector<SurfacePoint> points) {
@@ -65,8 +55,8 @@ std::string SurfacePointsPly(const std::vector<SurfacePoint>& points) {
   for (const SurfacePoint& point : points) {
     AppendFloats(point.position, &bytes);
     AppendFloats(point.normal, &bytes);
-    AppendFloat(point.sdf, &bytes);
-    AppendFloat(point.support, &bytes);
+    AppendLittleEndian(static_cast<float>(point.sdf), &bytes);
+    AppendLittleEndian(static_cast<float>(point.support), &bytes);
   }
   return bytes;
 }
@@ -81,7 +71,7 @@ std::string MeshPly(const std::vector<TriangleMesh>& meshes) {
   for (const TriangleMesh& mesh : meshes) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
       AppendFloats(mesh.vertices[i], &bytes);
-      AppendFloat(mesh.support[i], &bytes);
+      AppendLittleEndian(static_cast<float>(mesh.support[i]), &bytes);
     }
   }
   std::uint32_t first = 0;
@@ -89,7 +79,7 @@ std::string MeshPly(const std::vector<TriangleMesh>& meshes) {
     for (const Eigen::Vector3i& triangle : mesh.triangles) {
       bytes += '\3';
       for (int corner = 0; corner < 3; ++corner) {
-        AppendUint32(first + static_cast<std::uint32_t>(triangle[corner]), &bytes);
+        AppendLittleEndian(first + static_cast<std::uint32_t>(triangle[corner]), &bytes);
       }
     }
     first += static_cast<std::uint32_t>(mesh.vertices.size());
@@ -107,8 +97,8 @@ std::string SlicePly(const std::vector<PlacedGrid>& grids, double z, double min_
       const SdfGrid::Sample& sample = *grid->At(vertex);
       if (!(sample.support >= min_support)) continue;
       AppendFloats(T_world_map * grid->Position(vertex), &rows);
-      AppendFloat(sample.sdf, &rows);
-      AppendFloat(sample.support, &rows);
+      AppendLittleEndian(static_cast<float>(sample.sdf), &rows);
+      AppendLittleEndian(static_cast<float>(sample.support), &rows);
       ++count;
     }
   }

@@ -54,7 +54,9 @@ std::string KittiRow(const OdometryResult& result) {
 std::string ScansHeader() {
   const std::string axes[] = {"x", "y", "z"};
   const std::string pose[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
-  return "index,stamp_ns,radar,status,reason,keyframe,degenerate,returns,kept,gaussians,pairs,"
+  return "index,stamp_ns,radar,status,reason,keyframe,degenerate,returns,kept,not_finite,no_"
+         "doppler,"
+         "out_of_range,out_of_view,no_velocity,moving,occluded,behind_nearest,gaussians,pairs,"
          "iterations,cost,ego_valid,ego_reason,ego_inliers,ego_returns,ego_rms,vx,vy,vz" +
          UpperTriangleNames("v_cov", axes, 3) + UpperTriangleNames("pose_cov", pose, 6) + "\n";
 }
@@ -71,6 +73,14 @@ std::string ScansRow(const OdometryResult& result, int radar) {
   add(result.degenerate ? "1" : "0");
   for (const int count : {result.num_returns,
                           result.num_kept,
+                          result.dropped.not_finite,
+                          result.dropped.no_doppler,
+                          result.dropped.out_of_range,
+                          result.dropped.out_of_view,
+                          result.dropped.no_velocity,
+                          result.dropped.moving,
+                          result.dropped.occluded,
+                          result.dropped.behind_nearest,
                           result.num_gaussians,
                           result.num_pairs,
                           result.num_iterations}) {

@@ -15,6 +15,11 @@ bool InFieldOfView(const Eigen::Vector3d& p_radar, const PreprocessingOptions& o
          s.elevation >= options.min_elevation && s.elevation <= options.max_elevation;
 }
 
+bool InRange(const Eigen::Vector3d& p_radar, const PreprocessingOptions& options) {
+  const double range = ToSpherical(p_radar).range;
+  return range >= options.min_range && range <= options.max_range;
+}
+
 std::vector<RadarReturn> GateFieldOfView(const std::vector<RadarReturn>& returns,
                                          const PreprocessingOptions& options) {
   std::vector<RadarReturn> kept;

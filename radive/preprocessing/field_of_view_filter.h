@@ -14,6 +14,9 @@ namespace radive {
 // positions that are not finite.
 bool InFieldOfView(const Eigen::Vector3d& p_radar, const PreprocessingOptions& options);
 
+// Whether it lies within the ranges alone, whatever its angles.
+bool InRange(const Eigen::Vector3d& p_radar, const PreprocessingOptions& options);
+
 // The returns in the field of view, in their order.
 std::vector<RadarReturn> GateFieldOfView(const std::vector<RadarReturn>& returns,
                                          const PreprocessingOptions& options);

@@ -14,43 +14,38 @@ namespace radive {
 std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
                                         const SensorOptions& sensor,
                                         const PreprocessingOptions& options,
-                                        PreprocessingCounts* counts) {
-  PreprocessingCounts local;
+                                        DropCounts* counts) {
+  DropCounts ignored;
+  if (counts == nullptr) counts = &ignored;
   std::vector<RadarReturn> kept;
   kept.reserve(scan.returns.size());
   for (const RadarReturn& measured : scan.returns) {
     RadarReturn entry = measured;
     if (!entry.position.allFinite()) {
-      ++local.num_not_finite;
+      ++counts->not_finite;
       continue;
     }
     if (scan.has_doppler && !std::isfinite(entry.doppler)) {
-      ++local.num_without_doppler;
+      ++counts->no_doppler;
       continue;
     }
     entry.position = CorrectPosition(entry.position, sensor);
     if (!InFieldOfView(entry.position, options)) {
-      ++local.num_out_of_view;
+      ++(InRange(entry.position, options) ? counts->out_of_view : counts->out_of_range);
       continue;
     }
     kept.push_back(entry);
   }
-  local.num_returns = static_cast<int>(scan.returns.size());
-  local.num_kept = static_cast<int>(kept.size());
-  if (counts != nullptr) *counts = local;
   return kept;
 }
 
 std::vector<RadarReturn> Preprocess(const RadarScan& scan,
                                     const SensorOptions& sensor,
                                     const PreprocessingOptions& options,
-                                    PreprocessingCounts* counts) {
-  std::vector<RadarReturn> kept =
-      FilterAzimuthBins(CorrectAndGate(scan, sensor, options, counts), options);
-  if (counts != nullptr) {
-    counts->num_behind_nearest = counts->num_kept - static_cast<int>(kept.size());
-    counts->num_kept = static_cast<int>(kept.size());
-  }
+                                    DropCounts* counts) {
+  const std::vector<RadarReturn> gated = CorrectAndGate(scan, sensor, options, counts);
+  std::vector<RadarReturn> kept = FilterAzimuthBins(gated, options);
+  if (counts != nullptr) counts->behind_nearest += static_cast<int>(gated.size() - kept.size());
   return kept;
 }
 

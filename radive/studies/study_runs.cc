@@ -61,8 +61,8 @@ std::vector<StudyRun> RunsOf(const Study& study,
       // A simulated truth is that of the radar, whatever the configuration says of its data set's.
       if (sequence.is_simulated()) run.config.reference = ReferenceOptions();
       if (study.perturb.drop > 0.0) {
-        run.config.input.drop_share = study.perturb.drop;
-        run.config.input.drop_seed = seed;
+        run.config.perturbation.drop = study.perturb.drop;
+        run.config.perturbation.seed = seed;
       }
       run.start = StartShift(sequence.name, seed, study.perturb.max_start_shift);
       run.frames = LeastLimit({study.frames, sequence.frames, run.variant->frames});

@@ -85,7 +85,20 @@ def run_facts(run):
         found.append(("time per scan, median", f"{run.scan_time('median'):.1f} ms"))
     if run.period_ms > 0:
         found.append(("between scans", f"{run.period_ms:.0f} ms"))
+    if run.return_shares:
+        found += return_facts(run.return_shares)
     return found
+
+
+def return_facts(shares):
+    """Which share of the returns registration works with, and why the others are left out."""
+    left_out = [
+        f"{100 * share:.1f} % {name.replace('_', ' ')}"
+        for name, share in shares.items()
+        if name != "kept" and share > 0
+    ]
+    found = [("returns used", f"{100 * shares['kept']:.1f} %")]
+    return found + ([("returns left out", ", ".join(left_out))] if left_out else [])
 
 
 def section(study, sequence, typical, folder):

@@ -15,6 +15,13 @@ from report.run_files import number
 TRAJECTORY_NAMES = ("trajectory_tum.txt", "trajectory.tum")
 
 
+# Of scans.csv: what became of the returns.
+RETURN_COLUMNS = (
+    "kept", "not_finite", "no_doppler", "out_of_range", "out_of_view", "no_velocity", "moving",
+    "occluded", "behind_nearest",
+)  # fmt: skip
+
+
 @dataclasses.dataclass(frozen=True)
 class Run:
     """One drive estimated once. Metrics are NaN where the run failed or has no ground truth."""
@@ -87,6 +94,18 @@ class Run:
         if not rows:
             return None
         return {name: np.array([number(row[name]) for row in rows]) for name in rows[0]}
+
+    @functools.cached_property
+    def return_shares(self):
+        """Share of the returns that were kept, and of those left out for each reason, by the names of
+        scans.csv; None without these counts."""
+        path = self._first_file(("scans.csv",))
+        rows = run_files.read_csv(path, ("returns", "kept")) if path else []
+        total = sum(int(row["returns"]) for row in rows)
+        if not total:
+            return None
+        names = [name for name in RETURN_COLUMNS if name in rows[0]]
+        return {name: sum(int(row[name]) for row in rows) / total for name in names}
 
     @functools.cached_property
     def facts(self):

@@ -4,20 +4,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "radive/io/points/raw_evidence.h"
+#include "radive/io/datasets/raw_evidence.h"
 #include "radive/io/scans/raw_source.h"
 #include "tests/fuzz/fuzz_table.h"
 
 // The first byte says which layout the records have.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::array<std::string_view, 6> kLayouts = {
-      "hercules29", "mscrad17", "xyzdp5", "boreas_aeva40", "[x,y,_,doppler,rcs:int8]", "aeva"};
+      "hercules29", "mscrad17", "xyzdp5", "boreas_aeva40", "[x,y,_,doppler,rcs:int8]", "aeva29"};
   if (size == 0) return 0;
   const std::string_view layout_name = kLayouts[data[0] % kLayouts.size()];
   const std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
@@ -25,15 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   radive::ProvenLayout(bytes, &evidence);
   std::vector<std::string> remarks;
   radive::PointTable table;
-  if (layout_name == "aeva") {
-    radive::AevaFileReader reader;
-    if (!reader.Read(bytes, /*stamp_ns=*/data[0], &table, &remarks, &error)) return 0;
-  } else {
-    const auto layout = radive::ParseRawLayout(std::string(layout_name), &error);
-    if (!layout) std::abort();
-    radive::RawFileReader reader(*layout);
-    if (!reader.Read(bytes, 0, &table, &remarks, &error)) return 0;
-  }
+  radive::RawFileReader reader(radive::KnownLayout(std::string(layout_name)));
+  if (!reader.Read(bytes, 0, &table, &remarks, &error)) return 0;
   radive::testing::ConvertFuzzedTable(table, size);
   return 0;
 }

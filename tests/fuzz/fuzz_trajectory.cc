@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "radive/io/datasets/dataset.h"
 #include "radive/io/trajectories/find_pose_columns.h"
 #include "radive/io/trajectories/pose_table.h"
 #include "radive/io/trajectories/trajectory_io.h"
@@ -28,18 +29,14 @@ void Check(const std::optional<RecordedTrajectory>& poses,
   }
 }
 
+// Of the datasets that have a table of their own, one after the other, or found out.
 std::optional<radive::PoseColumns> Columns(int kind, std::string_view text, std::string* error) {
-  switch (kind) {
-    case 0:
-      return radive::BoreasColumns();
-    case 1:
-      return radive::ColoRadarColumns();
-    case 2:
-      *error = "no such columns";
-      return radive::RadarScenesColumns(text.substr(0, text.find('\n')));
-    default:
-      return radive::FindPoseColumns(text, "fuzz", error);
+  for (const radive::Dataset& dataset : radive::Datasets()) {
+    if (dataset.truth.columns == nullptr || kind-- > 0) continue;
+    *error = "no such columns";
+    return dataset.truth.columns(text.substr(0, text.find('\n')));
   }
+  return radive::FindPoseColumns(text, "fuzz", error);
 }
 
 }  // namespace

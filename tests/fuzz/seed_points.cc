@@ -37,7 +37,7 @@ std::string Npy(const char* order) {
   const std::string header =
       "{'descr': '<f4', 'fortran_order': " + std::string(order) + ", 'shape': (4, 5), }\n";
   return std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) + '\0' + header +
-         RawBytes(Returns());
+         RecordBytes(Returns(), KnownLayout("xyzdp5"));
 }
 
 bool WriteSeeds(const fs::path& folder) {
@@ -48,7 +48,8 @@ bool WriteSeeds(const fs::path& folder) {
   return Write(folder / "fuzz_pcd/ascii", PcdBytes(returns, PcdEncoding::kAscii)) &&
          Write(folder / "fuzz_pcd/binary", PcdBytes(returns, PcdEncoding::kBinary)) &&
          Write(folder / "fuzz_pcd/compressed", PcdBytes(returns, PcdEncoding::kCompressed)) &&
-         Write(folder / "fuzz_pcd/snail", SnailPcdBytes(returns)) &&
+         Write(folder / "fuzz_pcd/snail",
+               PcdRecordBytes(returns, KnownLayout("x,y,z,doppler,intensity,range_std"))) &&
          Write(folder / "fuzz_ply/ascii", PlyBytes(returns, PlyEncoding::kAscii)) &&
          Write(folder / "fuzz_ply/little", PlyBytes(returns, PlyEncoding::kLittleEndian)) &&
          Write(folder / "fuzz_ply/big", PlyBytes(returns, PlyEncoding::kBigEndian)) &&
@@ -67,8 +68,10 @@ bool WriteSeeds(const fs::path& folder) {
                "  - range: 20\n    azimuth_angle: -0.5\nend: 1\n") &&
          Write(folder / "fuzz_json/pair",
                "{\"pc1\":" + scan + ",\"pc2\":" + scan + ",\"interval\":0.1}") &&
-         Write(folder / "fuzz_raw/hercules", std::string(1, 0) + HerculesBytes(returns)) &&
-         Write(folder / "fuzz_raw/xyzdp5", std::string(1, 2) + RawBytes(returns)) &&
+         Write(folder / "fuzz_raw/hercules",
+               std::string(1, 0) + RecordBytes(returns, KnownLayout("hercules29"))) &&
+         Write(folder / "fuzz_raw/xyzdp5",
+               std::string(1, 2) + RecordBytes(returns, KnownLayout("xyzdp5"))) &&
          Write(folder / "fuzz_raw/aeva", std::string(1, 5) + std::string(58, 'a')) &&
          Write(folder / "fuzz_scan_table/radarscenes",
                std::string(1, 0) + "scan,timestamp_rad,first_point,num_points\n1,0.5,0,241\n") &&
@@ -85,10 +88,10 @@ bool WriteTruthSeeds(const fs::path& folder) {
   return Write(text / "tum", std::string(1, 0) + "# t\n1706001762.099999905 1 2 3 0 0 0 1\n") &&
          Write(text / "kitti", std::string(1, 1) + "1 0 0 5 0 1 0 6 0 0 1 7\n") &&
          Write(text / "euroc", std::string(1, 2) + "1403715529107142912,1,2,3,1,0,0,0,9\n") &&
-         Write(text / "boreas", std::string(1, 3) + "t\n1606417097528152,1,2,3,0,0,0,0,0,1,0\n") &&
+         Write(text / "boreas", std::string(1, 5) + "t\n1606417097528152,1,2,3,0,0,0,0,0,1,0\n") &&
          Write(text / "coloradar", std::string(1, 4) + "1 2 3 0 0 1 0\n") &&
          Write(text / "radarscenes",
-               std::string(1, 5) + "timestamp_odom,x,y,yaw\n0.07,1,2,-0.1\n") &&
+               std::string(1, 3) + "timestamp_odom,x,y,yaw\n0.07,1,2,-0.1\n") &&
          Write(text / "named",
                std::string(1, 6) + "time,x,y,z,v,qx,qy,qz,qw\n1,2,3,4,5,0,0,0,1\n") &&
          Write(text / "unnamed", std::string(1, 6) + "1,2,3,4,5,6,7,0,0,0.6,0.8\n") &&

@@ -7,7 +7,6 @@
 #include <stdlib.h>
 
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -16,6 +15,7 @@
 #include <system_error>
 #include <vector>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/scans/scan_source.h"
 
 namespace radive::testing {
@@ -50,12 +50,7 @@ class TempFolder {
 // Numbers as little-endian float32, as the files have them.
 inline std::string Floats(std::initializer_list<double> values) {
   std::string bytes;
-  for (const double value : values) {
-    const float number = static_cast<float>(value);
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &number, sizeof(bits));
-    for (int i = 0; i < 4; ++i) bytes += static_cast<char>(bits >> (8 * i) & 0xFF);
-  }
+  for (const double value : values) AppendLittleEndian(static_cast<float>(value), &bytes);
   return bytes;
 }
 

@@ -219,6 +219,7 @@ TEST(Odometry, IsNotTakenAlongByTraffic) {
       EXPECT_EQ(result.status, Status::kPredicted) << k;
       EXPECT_NE(result.reason.find("ego velocity"), std::string::npos) << result.reason;
       EXPECT_EQ(result.num_kept, 0) << "no moving return may enter the map";
+      EXPECT_EQ(result.dropped.moving, result.num_returns);
     }
     EXPECT_LT(Error(result, drive.PositionAt(k)), 0.15) << k;
   }
@@ -239,6 +240,8 @@ TEST(Odometry, LeavesMovingReturnsOut) {
     }
     const OdometryResult result = odometry.AddScan(scan);
     EXPECT_EQ(result.num_kept, static_cast<int>(num_static));
+    EXPECT_EQ(result.dropped.moving, static_cast<int>((num_static + 1) / 2));
+    EXPECT_EQ(result.dropped.Sum(), result.dropped.moving);
     EXPECT_LT(Error(result, drive.PositionAt(k)), 0.03) << k;
   }
 }

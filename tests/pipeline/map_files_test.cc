@@ -6,8 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/points/ply.h"
 
 namespace radive {
@@ -19,9 +18,7 @@ using ::testing::HasSubstr;
 std::string Body(const std::string& bytes) { return bytes.substr(bytes.find("end_header\n") + 11); }
 
 float FloatAt(const std::string& body, std::size_t index) {
-  float value = 0.0F;
-  std::memcpy(&value, body.data() + 4 * index, sizeof(value));
-  return value;
+  return NumberAt<float>(body.data() + 4 * index);
 }
 
 TEST(MapFiles, PointsAreLittleEndianFloats) {

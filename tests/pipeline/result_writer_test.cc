@@ -57,12 +57,21 @@ TEST(ResultRows, TrajectoriesHaveNineDecimalsAndTheExactStamp) {
 }
 
 TEST(ResultRows, TablesHaveAColumnForEachName) {
-  const std::string row = ScansRow(QuarterTurn(), 2);
+  OdometryResult result = QuarterTurn();
+  result.num_returns = 50;
+  result.num_kept = 14;
+  result.dropped = {1, 2, 3, 4, 5, 6, 7, 8};
+  EXPECT_EQ(result.num_kept + result.dropped.Sum(), result.num_returns);
+  const std::string row = ScansRow(result, 2);
+  EXPECT_THAT(ScansHeader(),
+              HasSubstr(",returns,kept,not_finite,no_doppler,out_of_range,out_of_view,no_velocity,"
+                        "moving,occluded,behind_nearest,gaussians,"));
   EXPECT_EQ(CountCommas(row), CountCommas(ScansHeader()));
-  EXPECT_EQ(CountCommas(ScansHeader()) + 1, 21u + 6u + 21u);
-  EXPECT_THAT(row,
-              HasSubstr("7,1706001762099999905,2,predicted,\"few returns, 3 of 10\",0,0,0,0,0,0,0,0"
-                        ",1,,0,0,0,10,-0.5,0.125,"));
+  EXPECT_EQ(CountCommas(ScansHeader()) + 1, 29u + 6u + 21u);
+  EXPECT_THAT(
+      row,
+      HasSubstr("7,1706001762099999905,2,predicted,\"few returns, 3 of 10\",0,0,50,14,1,2,3,"
+                "4,5,6,7,8,0,0,0,0,1,,0,0,0,10,-0.5,0.125,"));
   // The last six columns of the first row of the triangle: rx against all, then ry against ry.
   EXPECT_THAT(row, HasSubstr(",1,0,0,0,0,-0.25,2,"));
   EXPECT_THAT(ScansHeader(), HasSubstr("pose_cov_rx_tz,pose_cov_ry_ry"));

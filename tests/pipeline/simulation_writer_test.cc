@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/simulation/radar_simulator.h"
 #include "radive/simulation/scenarios.h"
 
@@ -30,8 +30,10 @@ std::string Bytes(const fs::path& path) {
 }
 
 std::vector<float> Floats(const std::string& bytes) {
-  std::vector<float> values(bytes.size() / sizeof(float));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+  std::vector<float> values;
+  for (std::size_t i = 0; i + sizeof(float) <= bytes.size(); i += sizeof(float)) {
+    values.push_back(NumberAt<float>(bytes.data() + i));
+  }
   return values;
 }
 

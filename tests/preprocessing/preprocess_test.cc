@@ -185,24 +185,28 @@ RadarScan MixedScan() {
 TEST(Preprocess, CountsWhatItDrops) {
   PreprocessingOptions options;
   options.azimuth_bin = PreprocessingOptions::AzimuthBin::kQuantised;
-  PreprocessingCounts counts;
+  DropCounts counts;
   EXPECT_THAT(Numbers(Preprocess(MixedScan(), SensorOptions(), options, &counts)),
               ElementsAre(1, 6));
-  EXPECT_EQ(counts.num_returns, 6);
-  EXPECT_EQ(counts.num_not_finite, 1);
-  EXPECT_EQ(counts.num_without_doppler, 1);
-  EXPECT_EQ(counts.num_out_of_view, 1);
-  EXPECT_EQ(counts.num_behind_nearest, 1);
-  EXPECT_EQ(counts.num_kept, 2);
+  EXPECT_EQ(counts.not_finite, 1);
+  EXPECT_EQ(counts.no_doppler, 1);
+  EXPECT_EQ(counts.out_of_range, 1);  // 200 m
+  EXPECT_EQ(counts.out_of_view, 0);
+  EXPECT_EQ(counts.behind_nearest, 1);
+  EXPECT_EQ(counts.Sum(), 4);
+  options.max_azimuth = 39.0 * kDegree;
+  EXPECT_THAT(Numbers(Preprocess(MixedScan(), SensorOptions(), options, &counts)), ElementsAre(1));
+  EXPECT_EQ(counts.out_of_view, 1);  // at 40 degrees; they are added up
+  EXPECT_EQ(counts.Sum(), 9);
 }
 
 TEST(Preprocess, WithoutDopplerInTheScanNoneIsAskedFor) {
   RadarScan scan = MixedScan();
   scan.has_doppler = false;
-  PreprocessingCounts counts;
+  DropCounts counts;
   EXPECT_THAT(Numbers(Preprocess(scan, SensorOptions(), PreprocessingOptions(), &counts)),
               ElementsAre(1, 2, 5, 6));
-  EXPECT_EQ(counts.num_without_doppler, 0);
+  EXPECT_EQ(counts.no_doppler, 0);
 }
 
 // At 40 degrees, and calibrated to 44, number 6 falls out of a view of 42 degrees.
@@ -218,11 +222,11 @@ TEST(Preprocess, CorrectsBeforeItGates) {
 }
 
 TEST(Preprocess, TakesAnEmptyScan) {
-  PreprocessingCounts counts;
+  DropCounts counts;
   PreprocessingOptions options;
   options.azimuth_bin = PreprocessingOptions::AzimuthBin::kExact;
   EXPECT_TRUE(Preprocess(RadarScan(), SensorOptions(), options, &counts).empty());
-  EXPECT_EQ(counts.num_kept, 0);
+  EXPECT_EQ(counts.Sum(), 0);
 }
 
 TEST(PreprocessingOptions, NamesTheFieldThatIsOutOfRange) {

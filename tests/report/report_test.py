@@ -287,6 +287,9 @@ class CommandTest(ScratchTest):
         estimate = truth.copy()
         estimate[:, 1:4] *= 1.1  # a circle 10 % too large: 2 m everywhere
         write_run(self.scratch / "run", estimate)
+        (self.scratch / "run" / "scans.csv").write_text(
+            "index,returns,kept,out_of_range,moving,occluded\n0,10,7,1,2,0\n1,30,25,0,5,0\n"
+        )
         write_tum(self.scratch / "truth.txt", truth)
         status, out, _ = self.run_command(
             self.scratch / "run", "--reference", self.scratch / "truth.txt"
@@ -296,6 +299,8 @@ class CommandTest(ScratchTest):
         # The last pose stands on the first, which draws the centre by 1/60 of a radius.
         self.assertRegex(text, r"- ATE translation: 1\.99\d m|- ATE translation: 2\.00\d m")
         self.assertIn("- scans: 60", text)
+        self.assertIn("- returns used: 80.0 %", text)
+        self.assertIn("- returns left out: 2.5 % out of range, 17.5 % moving", text)
 
     def test_several_runs_with_names(self):
         for name, scale in (("a", 1.1), ("b", 1.05)):

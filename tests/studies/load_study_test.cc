@@ -253,8 +253,8 @@ TEST(StudyRuns, PerturbationIsTheSameForAllVariants) {
   int differs = 0;
   for (std::size_t i = 0; i < 400; i += 2) {
     EXPECT_EQ(runs[i].start, runs[i + 1].start);
-    EXPECT_EQ(runs[i].config.input.drop_share, 0.02);
-    EXPECT_EQ(runs[i].config.input.drop_seed, runs[i].seed);
+    EXPECT_EQ(runs[i].config.perturbation.drop, 0.02);
+    EXPECT_EQ(runs[i].config.perturbation.seed, runs[i].seed);
     ++counts.at(static_cast<std::size_t>(runs[i].start));
     differs += runs[i].start != runs[i + 400].start ? 1 : 0;
   }

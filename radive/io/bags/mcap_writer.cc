@@ -10,8 +10,8 @@
 
 #include "radive/io/bags/mcap_format.h"
 #include "radive/io/bags/point_cloud_encoding.h"
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/checksum.h"
-#include "radive/io/points/point_table.h"
 
 namespace radive {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "radive/io/points/point_table.h"
+#include "radive/io/bytes/byte_order.h"
 
 namespace radive {
 namespace {

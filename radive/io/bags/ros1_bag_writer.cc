@@ -11,7 +11,7 @@
 
 #include "radive/io/bags/point_cloud_encoding.h"
 #include "radive/io/bags/ros1_record.h"
-#include "radive/io/points/point_table.h"
+#include "radive/io/bytes/byte_order.h"
 
 namespace radive {
 namespace {

@@ -3,10 +3,6 @@
 
 #include "radive/io/bags/ros_message_reader.h"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstring>
-
 namespace radive {
 
 RosMessageReader::RosMessageReader(std::string_view payload, Encoding encoding)
@@ -18,37 +14,7 @@ RosMessageReader::RosMessageReader(std::string_view payload, Encoding encoding)
   failed_ = kind != 0 && kind != 1 && kind != 6 && kind != 7;
   is_big_endian_ = kind % 2 == 0;
   if (kind >= 6) largest_alignment_ = 4;
-  body_ = failed_ ? std::string_view() : payload.substr(4);
-}
-
-std::string_view RosMessageReader::Bytes(std::uint64_t count) {
-  if (failed_ || count > remaining()) {
-    failed_ = true;
-    return {};
-  }
-  const std::string_view bytes = body_.substr(position_, static_cast<std::size_t>(count));
-  position_ += bytes.size();
-  return bytes;
-}
-
-std::uint64_t RosMessageReader::Integer(std::size_t size) {
-  const std::size_t alignment = std::min(size, largest_alignment_);
-  if (encoding_ == Encoding::kCdr) Bytes((alignment - position_ % alignment) % alignment);
-  const std::string_view bytes = Bytes(size);
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    const std::size_t shift = 8 * (is_big_endian_ ? bytes.size() - 1 - i : i);
-    value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[i])) << shift;
-  }
-  return value;
-}
-
-double RosMessageReader::F64() {
-  const std::uint64_t bits = Integer(sizeof(double));
-  double value = 0.0;
-  static_assert(sizeof(value) == sizeof(bits));
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
+  body_ = ByteReader(failed_ ? std::string_view() : payload.substr(4));
 }
 
 std::string_view RosMessageReader::String() {

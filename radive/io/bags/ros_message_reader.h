@@ -3,8 +3,12 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
+
+#include "radive/io/bytes/byte_reader.h"
 
 namespace radive {
 
@@ -28,26 +32,32 @@ class RosMessageReader {
   RosMessageReader(std::string_view payload, Encoding encoding);
 
   Header ReadHeader();
-  std::uint8_t U8() { return static_cast<std::uint8_t>(Integer(1)); }
-  std::uint16_t U16() { return static_cast<std::uint16_t>(Integer(2)); }
-  std::uint32_t U32() { return static_cast<std::uint32_t>(Integer(4)); }
-  double F64();
+  std::uint8_t U8() { return Number<std::uint8_t>(); }
+  std::uint16_t U16() { return Number<std::uint16_t>(); }
+  std::uint32_t U32() { return Number<std::uint32_t>(); }
+  double F64() { return Number<double>(); }
   std::string_view String();
-  std::string_view Bytes(std::uint64_t count);
+  std::string_view Bytes(std::uint64_t count) { return body_.Bytes(count); }
 
   bool is_big_endian() const { return is_big_endian_; }
-  std::size_t remaining() const { return body_.size() - position_; }
-  bool failed() const { return failed_; }
+  std::size_t remaining() const { return body_.remaining(); }
+  bool failed() const { return failed_ || body_.failed(); }
 
  private:
-  std::uint64_t Integer(std::size_t size);
+  template <typename Type>
+  Type Number() {
+    const std::size_t alignment = std::min(sizeof(Type), largest_alignment_);
+    if (encoding_ == Encoding::kCdr) {
+      body_.Bytes((alignment - body_.position() % alignment) % alignment);
+    }
+    return body_.Number<Type>(is_big_endian_);
+  }
 
   const Encoding encoding_;
-  std::string_view body_;  // what positions and alignment are counted in
+  ByteReader body_;  // what positions and alignment are counted in
   bool is_big_endian_ = false;
   std::size_t largest_alignment_ = 8;
-  std::size_t position_ = 0;
-  bool failed_ = false;
+  bool failed_ = false;  // no known form
 };
 
 }  // namespace radive

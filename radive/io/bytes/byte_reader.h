@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "radive/io/bytes/byte_order.h"
+
 namespace radive {
 
 // A cursor over bytes whose content nobody vouches for. Integers are little-endian. Reading beyond
@@ -17,10 +19,17 @@ class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
-  std::uint8_t U8() { return Integer<std::uint8_t>(); }
-  std::uint16_t U16() { return Integer<std::uint16_t>(); }
-  std::uint32_t U32() { return Integer<std::uint32_t>(); }
-  std::uint64_t U64() { return Integer<std::uint64_t>(); }
+  std::uint8_t U8() { return Number<std::uint8_t>(); }
+  std::uint16_t U16() { return Number<std::uint16_t>(); }
+  std::uint32_t U32() { return Number<std::uint32_t>(); }
+  std::uint64_t U64() { return Number<std::uint64_t>(); }
+
+  // The next number of that type.
+  template <typename Type>
+  Type Number(bool is_big_endian = false) {
+    const std::string_view bytes = Bytes(sizeof(Type));
+    return failed_ ? Type() : NumberAt<Type>(bytes.data(), is_big_endian);
+  }
 
   // The next `count` bytes.
   std::string_view Bytes(std::uint64_t count) {
@@ -42,16 +51,6 @@ class ByteReader {
   bool failed() const { return failed_; }
 
  private:
-  template <typename Unsigned>
-  Unsigned Integer() {
-    const std::string_view bytes = Bytes(sizeof(Unsigned));
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
-    }
-    return static_cast<Unsigned>(value);
-  }
-
   std::string_view bytes_;
   std::size_t position_ = 0;
   bool failed_ = false;

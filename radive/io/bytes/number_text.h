@@ -12,15 +12,14 @@ namespace radive {
 // Takes the next word, up to blanks, tabs or line ends, off the front of `text`; empty when there
 // is none left.
 inline std::string_view TakeWord(std::string_view* text) {
-  constexpr std::string_view kBlanks = " \t\r\n\v\f";
-  const std::size_t begin = text->find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) {
-    *text = {};
-    return {};
-  }
-  text->remove_prefix(begin);
-  const std::string_view word = text->substr(0, text->find_first_of(kBlanks));
-  text->remove_prefix(word.size());
+  // By comparisons: the searches of the standard library make a call for each character.
+  const auto is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+  std::size_t begin = 0;
+  while (begin < text->size() && is_blank((*text)[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < text->size() && !is_blank((*text)[end])) ++end;
+  const std::string_view word = text->substr(begin, end - begin);
+  text->remove_prefix(end);
   return word;
 }
 

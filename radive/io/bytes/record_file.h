@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -31,15 +30,5 @@ std::uint64_t CountRecords(std::uint64_t file_size,
                            std::size_t record_size,
                            const std::string& record_name,
                            std::vector<std::string>* remarks);
-
-// The little-endian float32 at `bytes`, which need not be aligned, whatever this machine's order.
-inline float ReadFloat32(const char* bytes) {
-  std::uint32_t bits = 0;
-  for (int i = 3; i >= 0; --i) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
-  float value = 0.0F;
-  static_assert(sizeof(value) == sizeof(bits));
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
-}
 
 }  // namespace radive

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "radive/geometry/roll_pitch_yaw.h"
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/scans/scan_stamps.h"
 #include "radive/util/number_text.h"
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/util/json.h"
 

@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "radive/io/bytes/text_lines.h"
-#include "radive/io/datasets/radarscenes_hdf5.h"
-#include "radive/io/datasets/radarscenes_source.h"
+#include "radive/io/datasets/dataset.h"
 
 namespace radive {
 namespace {
@@ -50,30 +49,34 @@ std::vector<RadarInput> RadarsNamed(const std::vector<std::string>& words,
   return radars;
 }
 
-std::vector<RadarInput> HerculesRadars(const InputOptions& options) {
-  std::vector<RadarInput> radars(2, {1, options});
-  radars[0].options.format = Format::kHercules;
-  radars[0].options.layout.clear();
-  radars[0].options.folder.clear();
-  radars[1].number = 2;
-  radars[1].options.format = Format::kRaw;
-  radars[1].options.layout = "aeva";
-  radars[1].options.folder = "LiDAR/Aeva";
-  return radars;
+// The dataset that the options, and where they do not tell the folders below `path`, are of.
+const Dataset* DatasetOf(const fs::path& path, const InputOptions& options) {
+  std::error_code ignored;
+  for (const Dataset& dataset : Datasets()) {
+    for (const DatasetSensor& sensor : dataset.sensors) {
+      if (!sensor.HasFormOf(options)) continue;
+      const auto is_there = [&](const std::string& folder) {
+        return fs::is_directory(path / folder, ignored);
+      };
+      if (sensor.open != nullptr ||
+          std::any_of(sensor.folders.begin(), sensor.folders.end(), is_there)) {
+        return &dataset;
+      }
+    }
+  }
+  return nullptr;
 }
 
-// Nothing, with the reason in `error`, when the file with the radars cannot be read.
-std::optional<std::vector<RadarInput>> RadarScenesRadars(const fs::path& path,
-                                                         const InputOptions& options,
-                                                         std::string* error) {
-  const std::optional<fs::path> file = FindRadarScenesHdf5(path, options.folder);
-  const std::optional<std::vector<int>> numbers =
-      file ? RadarsOfRadarScenesHdf5(*file, error) : RadarsOfRadarScenes(path / options.folder);
-  if (!numbers) return std::nullopt;
+std::vector<RadarInput> RadarsOf(const Dataset& dataset, const InputOptions& options) {
   std::vector<RadarInput> radars;
-  for (const int number : *numbers) {
-    radars.push_back({number, options});
-    radars.back().options.radar = std::to_string(number);
+  if (dataset.sensors.size() < 2) return radars;
+  for (const DatasetSensor& sensor : dataset.sensors) {
+    RadarInput& radar = radars.emplace_back();
+    radar.number = static_cast<int>(radars.size());
+    radar.options = options;
+    radar.options.format = sensor.format;
+    radar.options.layout = sensor.layouts.empty() ? "" : sensor.layouts.front();
+    radar.options.folder = sensor.below.empty() ? sensor.folders.front() : "";
   }
   return radars;
 }
@@ -83,15 +86,14 @@ std::optional<std::vector<RadarInput>> RadarScenesRadars(const fs::path& path,
 std::optional<std::vector<RadarInput>> ListRadars(const fs::path& path,
                                                   const InputOptions& options,
                                                   std::string* error) {
-  std::error_code ignored;
-  const auto holds = [&](const char* folder) { return fs::is_directory(path / folder, ignored); };
   std::vector<RadarInput> radars;
   std::string expected = "a list of folders in input.folder: [one, other]";
-  const bool is_snail = options.format == Format::kPcd && holds("ars548/points");
   const std::vector<std::string> folders = Words(options.folder);
-  if (options.format == Format::kRadarScenes) {
-    expected = "radar1_scans.csv, radar2_scans.csv, ...";
-    auto found = RadarScenesRadars(path, options, error);
+  const Dataset* const dataset = DatasetOf(path, options);
+  const bool says_which = dataset != nullptr && dataset->list_radars != nullptr;
+  if (says_which) {
+    expected = dataset->radar_files;
+    auto found = dataset->list_radars(path, options, error);
     if (!found) return std::nullopt;
     radars = *std::move(found);
   } else if (IsBag(options.format)) {
@@ -99,15 +101,11 @@ std::optional<std::vector<RadarInput>> ListRadars(const fs::path& path,
     radars = RadarsNamed(Words(options.topic), &InputOptions::topic, options);
   } else if (folders.size() > 1) {
     radars = RadarsNamed(folders, &InputOptions::folder, options);
-  } else if (options.format == Format::kHercules || LowerCase(options.layout) == "aeva") {
-    radars = HerculesRadars(options);
-  } else if (is_snail) {
-    radars = RadarsNamed({"ars548/points", "eagleg7/enhanced"}, &InputOptions::folder, options);
+  } else if (dataset != nullptr) {
+    radars = RadarsOf(*dataset, options);
   }
-  // RadarScenes is a drive of radars even where only one of them was fetched.
-  if (radars.size() > 1 || (radars.size() == 1 && options.format == Format::kRadarScenes)) {
-    return radars;
-  }
+  // Such a dataset is a drive of radars even where only one of them was fetched.
+  if (radars.size() > 1 || (radars.size() == 1 && says_which)) return radars;
   *error = path.string() + ": input.radar is all, expected " + expected +
            (radars.empty() ? ", found none" : ", found one");
   return std::nullopt;

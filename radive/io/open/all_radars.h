@@ -8,21 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "radive/io/datasets/dataset.h"
 #include "radive/io/scans/input_options.h"
 
 namespace radive {
 
-// One radar of a vehicle: its number, which sensor.mounts and the scans name it by, and the options
-// that read it alone.
-struct RadarInput {
-  int number = 0;
-  InputOptions options;
-};
-
 // The radars of the drive at `path` for input.radar: all, in the order of their numbers:
-//   RadarScenes  those whose tables are in the folder, with their own numbers
-//   HeRCULES     1 Continental, 2 Aeva
-//   SNAIL-Radar  1 ars548/points, 2 eagleg7/enhanced (PCD)
+//   datasets     as their rows have them: of RadarScenes those whose tables are in the folder, of
+//                HeRCULES 1 the Continental and 2 the Aeva, of SNAIL-Radar 1 the ARS548, 2 the
+//                Eagle
 //   bags         the topics that input.topic lists, from 1
 //   point files  the folders that input.folder lists, from 1
 // `options`: with the format that was found. Nothing, with the expectation in `error`, when there

@@ -14,9 +14,9 @@
 #include "radive/io/bags/point_cloud_messages.h"
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/text_lines.h"
-#include "radive/io/datasets/radarscenes_hdf5.h"
-#include "radive/io/datasets/raflow_source.h"
-#include "radive/io/points/raw_evidence.h"
+#include "radive/io/datasets/dataset.h"
+#include "radive/io/datasets/raw_evidence.h"
+#include "radive/io/points/raw_layout.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/util/text.h"
 
@@ -25,31 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Format = InputOptions::Format;
-
-// How a dataset's folder is known.
-struct FolderForm {
-  const char* dataset;
-  const char* folder;     // with the scans, below the drive; "" the drive itself
-  const char* extension;  // of the scans
-  const char* sibling;    // file that must be in the drive's own folder; "" none
-  Format format;
-  const char* layout;
-};
-
-// In this order; those that also know the names of folders below the drive come first.
-constexpr FolderForm kFolderForms[] = {
-    {"HeRCULES Continental", "Radar/Continental", ".bin", "", Format::kHercules, ""},
-    {"HeRCULES Continental", "Continental", ".bin", "", Format::kHercules, ""},
-    {"HeRCULES Aeva", "LiDAR/Aeva", ".bin", "", Format::kRaw, "aeva"},
-    {"HeRCULES Aeva", "Aeva", ".bin", "", Format::kRaw, "aeva"},
-    {"SNAIL-Radar ARS548", "ars548/points", ".pcd", "", Format::kPcd, ""},
-    {"SNAIL-Radar Oculii", "eagleg7/enhanced", ".pcd", "", Format::kPcd, ""},
-    {"ColoRadar", "single_chip/pointclouds/data", ".bin", "", Format::kRaw, "coloradar5"},
-    {"Doppler-ICP", "point_clouds", ".bin", "ref_poses.txt", Format::kRaw, "dicp4"},
-    {"Doppler-ICP", "point_clouds", ".bin", "calibration.json", Format::kRaw, "dicp4"},
-    {"Boreas Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva40"},
-    {"Boreas Aeva", "aeva", ".bin", "", Format::kRaw, "boreas_aeva7"},
-};
 
 constexpr struct {
   const char* extension;
@@ -91,6 +66,23 @@ Format FormatOf(BagFormat format) {
   return Format::kMcap;
 }
 
+// "RadarScenes, RaFlow and Boreas": those that are known by their files or folders.
+std::string KnownDatasets() {
+  std::vector<std::string> names;
+  for (const Dataset& dataset : Datasets()) {
+    const auto has_folders = [](const DatasetSensor& sensor) { return !sensor.folders.empty(); };
+    if (dataset.recognise != nullptr ||
+        std::any_of(dataset.sensors.begin(), dataset.sensors.end(), has_folders)) {
+      names.push_back(dataset.name);
+    }
+  }
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return list;
+}
+
 class Detection {
  public:
   Detection(const fs::path& path, InputOptions* options, std::string* reason, std::string* error)
@@ -110,7 +102,7 @@ class Detection {
  private:
   // What is no bag.
   bool Scans() {
-    if (RadarScenes() || RaFlow()) return true;
+    if (DatasetByFiles()) return true;
     if (options_->folder.empty()) {
       bool is_ambiguous = false;
       if (KnownFolder(&is_ambiguous)) return true;
@@ -147,18 +139,12 @@ class Detection {
                     "such a file, found " + Quoted(bytes.substr(0, 16)));
     }
     if (StartsWith(bytes, "\x93NUMPY")) return Take(Format::kNpy, "starts with \\x93NUMPY");
-    if (StartsWith(bytes, "\x89HDF\r\n")) {
-      return Take(Format::kRadarScenes, "an HDF5 file, as RadarScenes has");
-    }
+    if (DatasetByFiles()) return true;
     if (StartsWith(LowerCase(bytes), "ply\n") || StartsWith(LowerCase(bytes), "ply\r")) {
       return Take(Format::kPly, "starts with 'ply'");
     }
     for (const auto& known : kExtensions) {
       if (extension == known.extension) return Take(known.format, "ends in " + extension);
-    }
-    std::int64_t sequence, sample;
-    if (ParseRaFlowName(path_.filename().string(), &sequence, &sample)) {
-      return Take(Format::kRaFlow, "is named as RaFlow's files are");
     }
     if (extension == ".bin") return RawFile(path_, "");
     return Refuse(
@@ -167,7 +153,7 @@ class Detection {
         Quoted(bytes.substr(0, 16)));
   }
 
-  std::vector<std::string> Files(const fs::path& folder, const char* extension) {
+  std::vector<std::string> Files(const fs::path& folder, const std::string& extension) {
     std::vector<std::string> names;
     std::string ignored;
     ListFiles(folder, extension, &names, &ignored);
@@ -226,80 +212,90 @@ class Detection {
     return Take(options.format, reason + "; it also " + bag + ", without point clouds");
   }
 
-  bool RadarScenes() {
-    for (const std::string& name : Files(path_ / options_->folder, "_scans.csv")) {
-      if (StartsWith(name, "radar")) return Take(Format::kRadarScenes, "holds " + name);
-    }
-    if (FindRadarScenesHdf5(path_, options_->folder)) {
-      return Take(Format::kRadarScenes, "holds radar_data.h5");
-    }
-    return false;
-  }
-
-  bool RaFlow() {
-    std::error_code failure;
-    for (fs::recursive_directory_iterator it(path_ / options_->folder, failure), end;
-         !failure && it != end;
-         it.increment(failure)) {
-      if (it.depth() >= 2) it.disable_recursion_pending();
-      std::int64_t sequence, sample;
-      const std::string name = it->path().filename().string();
-      if (ParseRaFlowName(name, &sequence, &sample)) {
-        return Take(Format::kRaFlow, "holds files named as RaFlow's, such as " + name);
+  // By the names of files, or their first bytes.
+  bool DatasetByFiles() {
+    for (const Dataset& dataset : Datasets()) {
+      std::string what;
+      if (dataset.recognise != nullptr && dataset.recognise(path_, options_->folder, &what)) {
+        return Take(dataset.sensors.front().format, what);
       }
     }
     return false;
   }
 
-  // The drive's form by the names of its folders; also where the path is such a folder itself.
-  bool KnownFolder(bool* is_ambiguous) {
-    const FolderForm* found = nullptr;
+  // A sensor's scans that were found.
+  struct KnownScans {
+    const DatasetSensor* sensor = nullptr;
+    std::string folder;  // as the sensor has it
+    std::string layout;
     fs::path place;
-    for (const FolderForm& form : kFolderForms) {
-      std::error_code ignored;
-      if (*form.sibling != '\0' && !fs::exists(path_ / form.sibling, ignored)) continue;
-      const fs::path here = IsItself(form) ? path_ : path_ / form.folder;
-      if (Files(here, form.extension).empty()) continue;
-      // With input.radar all the first says what dataset it is.
-      if (found != nullptr && found->dataset != std::string_view(form.dataset)) {
-        if (options_->radar == "all") continue;
+  };
+
+  // Those of the sensor in the drive, or in the path if that is such a folder itself.
+  KnownScans ScansOf(const DatasetSensor& sensor) {
+    KnownScans found;
+    std::error_code ignored;
+    const auto is_here = [&](const std::string& file) { return fs::exists(path_ / file, ignored); };
+    if (!sensor.siblings.empty() &&
+        std::none_of(sensor.siblings.begin(), sensor.siblings.end(), is_here)) {
+      return found;
+    }
+    std::vector<std::string> layouts = sensor.layouts;
+    if (layouts.empty()) layouts = {""};
+    for (const std::string& folder : sensor.folders) {
+      const fs::path place = IsItself(folder) ? path_ : path_ / folder;
+      if (Files(place, sensor.extension).empty()) continue;
+      for (const std::string& layout : layouts) {
+        // Of two releases of a dataset the one whose records fit the files.
+        const bool fits = Fits(layout, sensor.extension, place);
+        if (found.sensor == nullptr || fits) found = {&sensor, folder, layout, place};
+        if (fits) return found;
+      }
+    }
+    return found;
+  }
+
+  // The drive's form by the names of its folders.
+  bool KnownFolder(bool* is_ambiguous) {
+    KnownScans found;
+    for (const Dataset& dataset : Datasets()) {
+      for (const DatasetSensor& sensor : dataset.sensors) {
+        const KnownScans other = ScansOf(sensor);
+        if (other.sensor == nullptr) continue;
+        if (found.sensor == nullptr) found = other;
+        // With input.radar all the first says what dataset it is.
+        if (found.sensor == &sensor || options_->radar == "all") continue;
         *is_ambiguous = true;
-        return Refuse("holds " + std::string(found->dataset) + " (" + found->folder + ") and " +
-                      form.dataset + " (" + form.folder +
+        return Refuse("holds " + found.sensor->name + " (" + found.folder + ") and " + sensor.name +
+                      " (" + other.folder +
                       "); take a configuration from configs/, or say with input.folder which");
       }
-      // Of two releases of a dataset the one whose records fit the files.
-      if (found == nullptr || (!Fits(*found, place) && Fits(form, here))) {
-        found = &form;
-        place = here;
-      }
     }
-    if (found == nullptr) return KnownFolderBelow();
-    if (found->format != Format::kHercules) {
-      options_->folder = place == path_ ? "." : found->folder;
+    if (found.sensor == nullptr) return KnownFolderBelow();
+    if (found.sensor->below.empty()) {
+      options_->folder = found.place == path_ ? "." : found.folder;
     }
-    return TakeForm(*found, "*" + std::string(found->extension) + " in " + place.string());
+    return TakeSensor(found);
   }
 
-  bool IsItself(const FolderForm& form) const {
+  bool IsItself(const std::string& folder) const {
     std::string path = fs::absolute(path_).lexically_normal().generic_string();
     if (EndsWith(path, "/")) path.pop_back();
-    return EndsWith(path, std::string("/") + form.folder);
+    return EndsWith(path, "/" + folder);
   }
 
-  // Whether the records of a raw form divide the first file that is not empty.
-  bool Fits(const FolderForm& form, const fs::path& folder) {
-    for (const std::string& name : Files(folder, form.extension)) {
+  // Whether the records of a layout divide the first file that is not empty.
+  bool Fits(const std::string& layout, const std::string& extension, const fs::path& folder) {
+    if (layout.empty()) return true;
+    for (const std::string& name : Files(folder, extension)) {
       std::error_code failure;
       const std::uintmax_t size = fs::file_size(folder / name, failure);
-      if (failure || size == 0) continue;
-      const std::vector<std::string> layouts = LayoutsOfSize(static_cast<std::size_t>(size));
-      return std::find(layouts.begin(), layouts.end(), form.layout) != layouts.end();
+      if (!failure && size > 0) return size % KnownLayout(layout).record_size == 0;
     }
     return false;
   }
 
-  // Users unpack the archives of HeRCULES into folders of their own.
+  // Users unpack archives into folders of their own.
   bool KnownFolderBelow() {
     std::error_code failure;
     const auto options = fs::directory_options::skip_permission_denied;
@@ -308,16 +304,25 @@ class Detection {
       std::error_code ignored;
       if (it.depth() >= 4) it.disable_recursion_pending();
       if (!it->is_directory(ignored)) continue;
-      if (it->path().filename() == "Continental" && !Files(it->path(), ".bin").empty()) {
-        return TakeForm(kFolderForms[0], "*.bin in " + it->path().string());
+      for (const Dataset& dataset : Datasets()) {
+        for (const DatasetSensor& sensor : dataset.sensors) {
+          if (sensor.below.empty() || it->path().filename() != sensor.below ||
+              Files(it->path(), sensor.extension).empty()) {
+            continue;
+          }
+          return TakeSensor(
+              {&sensor, "", sensor.layouts.empty() ? "" : sensor.layouts.front(), it->path()});
+        }
       }
     }
     return false;
   }
 
-  bool TakeForm(const FolderForm& form, const std::string& what) {
-    if (options_->layout.empty()) options_->layout = form.layout;
-    return Take(form.format, std::string(form.dataset) + ": " + what);
+  bool TakeSensor(const KnownScans& found) {
+    if (options_->layout.empty()) options_->layout = found.layout;
+    return Take(
+        found.sensor->format,
+        found.sensor->name + ": *" + found.sensor->extension + " in " + found.place.string());
   }
 
   // By the extensions of the files in the usual places.
@@ -343,8 +348,8 @@ class Detection {
         "no scans found; looked for bags (*.bag, *.mcap, *.db3, metadata.yaml), point files "
         "(*.pcd, "
         "*.ply, *.npy, *.csv, *.bin) here and in radar/, velodyne/, training/velodyne/, points/, "
-        "and for the folders of RadarScenes, RaFlow, HeRCULES, SNAIL-Radar, ColoRadar, Doppler-ICP "
-        "and Boreas");
+        "and for the folders of " +
+        KnownDatasets());
   }
 
   // A raw file says nothing of itself: its numbers must prove a layout, or the user must know.

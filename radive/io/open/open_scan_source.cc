@@ -10,9 +10,7 @@
 #include <vector>
 
 #include "radive/io/bags/bag_source.h"
-#include "radive/io/datasets/radarscenes_hdf5.h"
-#include "radive/io/datasets/radarscenes_source.h"
-#include "radive/io/datasets/raflow_source.h"
+#include "radive/io/datasets/dataset.h"
 #include "radive/io/open/all_radars.h"
 #include "radive/io/open/detect_format.h"
 #include "radive/io/scans/axes.h"
@@ -20,7 +18,6 @@
 #include "radive/io/scans/ordered_source.h"
 #include "radive/io/scans/point_file_source.h"
 #include "radive/io/scans/raw_source.h"
-#include "radive/io/scans/thinned_source.h"
 
 namespace radive {
 namespace {
@@ -31,34 +28,36 @@ using Format = InputOptions::Format;
 std::unique_ptr<ScanSource> OpenStored(const std::string& path,
                                        const InputOptions& options,
                                        std::string* error) {
+  std::vector<std::string> folders;
+  for (const Dataset& dataset : Datasets()) {
+    for (const DatasetSensor& sensor : dataset.sensors) {
+      if (!sensor.HasFormOf(options)) continue;
+      if (sensor.open != nullptr) return sensor.open(path, options, error);
+      folders.insert(folders.end(), sensor.folders.begin(), sensor.folders.end());
+    }
+  }
   switch (options.format) {
     case Format::kRaw:
-      return OpenRawSource(path, options, error);
-    case Format::kHercules:
-      return OpenHerculesSource(path, options, error);
-    case Format::kRadarScenes:
-      if (const auto file = FindRadarScenesHdf5(path, options.folder)) {
-        return RadarScenesHdf5Source::Open(*file, options, error);
-      }
-      return RadarScenesSource::Open(path, options, error);
+      return OpenRawSource(path, options, error, folders);
     case Format::kPcd:
-      return OpenPointFileSource(path, PointFileFormat::kPcd, options, error);
+      return OpenPointFileSource(path, PointFileFormat::kPcd, options, error, folders);
     case Format::kPly:
-      return OpenPointFileSource(path, PointFileFormat::kPly, options, error);
+      return OpenPointFileSource(path, PointFileFormat::kPly, options, error, folders);
     case Format::kCsv:
-      return OpenPointFileSource(path, PointFileFormat::kCsv, options, error);
+      return OpenPointFileSource(path, PointFileFormat::kCsv, options, error, folders);
     case Format::kNpy:
-      return OpenPointFileSource(path, PointFileFormat::kNpy, options, error);
+      return OpenPointFileSource(path, PointFileFormat::kNpy, options, error, folders);
     case Format::kYaml:
-      return OpenPointFileSource(path, PointFileFormat::kYaml, options, error);
-    case Format::kRaFlow:
-      return RaFlowSource::Open(path, options, error);
+      return OpenPointFileSource(path, PointFileFormat::kYaml, options, error, folders);
     case Format::kRosbag1:
       return BagSource::Open(path, BagFormat::kRosbag1, options, error);
     case Format::kRosbag2:
       return BagSource::Open(path, BagFormat::kRosbag2, options, error);
     case Format::kMcap:
       return BagSource::Open(path, BagFormat::kMcap, options, error);
+    case Format::kHercules:
+    case Format::kRadarScenes:
+    case Format::kRaFlow:
     case Format::kAuto:
       break;
   }
@@ -99,10 +98,7 @@ std::unique_ptr<ScanSource> OpenScanSource(const std::string& path,
   InputOptions found = options;
   std::string reason;
   if (!DetectFormat(path, &found, &reason, error)) return nullptr;
-  std::unique_ptr<ScanSource> source =
-      options.radar == "all" ? OpenAll(path, found, error) : OpenOne(path, found, error);
-  if (source == nullptr || !(options.drop_share > 0.0)) return source;
-  return std::make_unique<ThinnedSource>(std::move(source), options.drop_share, options.drop_seed);
+  return options.radar == "all" ? OpenAll(path, found, error) : OpenOne(path, found, error);
 }
 
 }  // namespace radive

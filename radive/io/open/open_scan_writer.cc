@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <system_error>
 
 #include "radive/io/bags/bag_scan_writer.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/whole_file.h"
+#include "radive/io/datasets/dataset.h"
 #include "radive/io/points/point_file_writer.h"
+#include "radive/io/points/raw_layout.h"
 #include "radive/util/number_text.h"
 #include "radive/util/system_message.h"
 
@@ -19,66 +22,67 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Naming { kNumber6, kNumber5, kNumber, kNanoseconds, kSeconds };
-
-struct FileForm {
-  const char* name;
-  const char* folder;
-  const char* extension;
-  Naming naming;
-  bool has_times;
-  std::string (*bytes)(const std::vector<RadarReturn>& returns);
-};
-
+using Naming = WrittenForm::Naming;
 using Returns = std::vector<RadarReturn>;
 
-const FileForm kFileForms[] = {
-    {"raw", "radar", ".bin", Naming::kNumber6, true, RawBytes},
-    {"pcd_ascii",
-     "radar",
-     ".pcd",
-     Naming::kNumber6,
-     true,
-     [](const Returns& returns) { return PcdBytes(returns, PcdEncoding::kAscii); }},
-    {"pcd_binary",
-     "radar",
-     ".pcd",
-     Naming::kNumber6,
-     true,
-     [](const Returns& returns) { return PcdBytes(returns, PcdEncoding::kBinary); }},
-    {"pcd_compressed",
-     "radar",
-     ".pcd",
-     Naming::kNumber6,
-     true,
-     [](const Returns& returns) { return PcdBytes(returns, PcdEncoding::kCompressed); }},
-    {"ply_ascii",
-     "radar",
-     ".ply",
-     Naming::kNumber6,
-     true,
-     [](const Returns& returns) { return PlyBytes(returns, PlyEncoding::kAscii); }},
-    {"ply_binary",
-     "radar",
-     ".ply",
-     Naming::kNumber6,
-     true,
-     [](const Returns& returns) { return PlyBytes(returns, PlyEncoding::kLittleEndian); }},
-    {"ply_big_endian",
-     "radar",
-     ".ply",
-     Naming::kNumber6,
-     true,
-     [](const Returns& returns) { return PlyBytes(returns, PlyEncoding::kBigEndian); }},
-    {"csv", "radar", ".csv", Naming::kNumber6, true, CsvBytes},
-    {"npy", "radar", ".npy", Naming::kNumber6, true, NpyBytes},
-    {"hercules", "Radar/Continental", ".bin", Naming::kNanoseconds, true, HerculesBytes},
-    {"snail", "ars548/points", ".pcd", Naming::kSeconds, true, SnailPcdBytes},
-    {"aeva", "LiDAR/Aeva", ".bin", Naming::kNanoseconds, true, AevaBytes},
-    {"tj4d", "training/velodyne", ".bin", Naming::kNumber6, true, Tj4dBytes},
-    {"coloradar", "single_chip/pointclouds/data", ".bin", Naming::kNumber, true, ColoRadarBytes},
-    {"vod", "radar/training/velodyne", ".bin", Naming::kNumber5, false, VodBytes},
+// A file a scan.
+struct FileForm {
+  WrittenForm form;
+  std::string extension;
+  std::function<std::string(const Returns& returns)> bytes;
 };
+
+// Forms of no dataset, in radar/NNNNNN.
+FileForm PlainForm(const char* word, const char* extension, std::string (*bytes)(const Returns&)) {
+  FileForm plain;
+  plain.form.word = word;
+  plain.form.folder = "radar";
+  plain.extension = extension;
+  plain.bytes = bytes;
+  return plain;
+}
+
+FileForm FormOf(const DatasetSensor& sensor) {
+  const RawLayout layout = KnownLayout(sensor.written.columns);
+  const double offset = sensor.written.power_offset;
+  const bool is_pcd = sensor.format == InputOptions::Format::kPcd;
+  return {sensor.written, sensor.extension, [=](const Returns& returns) {
+            return (is_pcd ? PcdRecordBytes : RecordBytes)(returns, layout, offset);
+          }};
+}
+
+const std::vector<FileForm>& FileForms() {
+  static const std::vector<FileForm>* const forms = [] {
+    auto* const list = new std::vector<FileForm>{
+        PlainForm(
+            "raw", ".bin", [](const Returns& r) { return RecordBytes(r, KnownLayout("xyzdp5")); }),
+        PlainForm(
+            "pcd_ascii", ".pcd", [](const Returns& r) { return PcdBytes(r, PcdEncoding::kAscii); }),
+        PlainForm("pcd_binary",
+                  ".pcd",
+                  [](const Returns& r) { return PcdBytes(r, PcdEncoding::kBinary); }),
+        PlainForm("pcd_compressed",
+                  ".pcd",
+                  [](const Returns& r) { return PcdBytes(r, PcdEncoding::kCompressed); }),
+        PlainForm(
+            "ply_ascii", ".ply", [](const Returns& r) { return PlyBytes(r, PlyEncoding::kAscii); }),
+        PlainForm("ply_binary",
+                  ".ply",
+                  [](const Returns& r) { return PlyBytes(r, PlyEncoding::kLittleEndian); }),
+        PlainForm("ply_big_endian",
+                  ".ply",
+                  [](const Returns& r) { return PlyBytes(r, PlyEncoding::kBigEndian); }),
+        PlainForm("csv", ".csv", CsvBytes),
+        PlainForm("npy", ".npy", NpyBytes)};
+    for (const Dataset& dataset : Datasets()) {
+      for (const DatasetSensor& sensor : dataset.sensors) {
+        if (!sensor.written.word.empty()) list->push_back(FormOf(sensor));
+      }
+    }
+    return list;
+  }();
+  return *forms;
+}
 
 std::string NameOf(Naming naming, int number, std::int64_t stamp_ns) {
   switch (naming) {
@@ -86,7 +90,7 @@ std::string NameOf(Naming naming, int number, std::int64_t stamp_ns) {
       return FormatText("%06d", number);
     case Naming::kNumber5:
       return FormatText("%05d", number);
-    case Naming::kNumber:
+    case Naming::kRadarPointcloud:
       return "radar_pointcloud_" + std::to_string(number);
     case Naming::kNanoseconds:
       return FormatText("%019lld", static_cast<long long>(stamp_ns));
@@ -99,21 +103,23 @@ std::string NameOf(Naming naming, int number, std::int64_t stamp_ns) {
 // One file a scan.
 class PointFileWriter : public ScanWriter {
  public:
-  PointFileWriter(const FileForm& form, const fs::path& folder) : form_(form), folder_(folder) {}
+  PointFileWriter(const FileForm& file, const fs::path& folder)
+      : file_(file), folder_(folder / file.form.folder), drive_(folder) {}
 
   bool Add(const RadarScan& scan, std::string* error) override {
-    const std::string name = NameOf(form_.naming, number_++, scan.stamp_ns) + form_.extension;
+    const std::string name = NameOf(file_.form.naming, number_++, scan.stamp_ns) + file_.extension;
     times_ += std::to_string(scan.stamp_ns) + "\n";
-    return WriteFile(folder_ / form_.folder / name, form_.bytes(scan.returns), error);
+    return WriteFile(folder_ / name, file_.bytes(scan.returns), error);
   }
 
   bool Finish(std::string* error) override {
-    return !form_.has_times || WriteFile(folder_ / "times.txt", times_, error);
+    return !file_.form.has_times || WriteFile(drive_ / "times.txt", times_, error);
   }
 
  private:
-  const FileForm& form_;
-  const fs::path folder_;
+  const FileForm& file_;
+  const fs::path folder_;  // of the scans
+  const fs::path drive_;
   int number_ = 0;
   std::string times_;
 };
@@ -123,7 +129,7 @@ class PointFileWriter : public ScanWriter {
 const std::vector<std::string>& ScanWriterNames() {
   static const std::vector<std::string>* const names = [] {
     auto* const list = new std::vector<std::string>();
-    for (const FileForm& form : kFileForms) list->emplace_back(form.name);
+    for (const FileForm& file : FileForms()) list->push_back(file.form.word);
     const std::vector<std::string>& bags = BagScanWriterNames();
     list->insert(list->end(), bags.begin(), bags.end());
     return list;
@@ -134,15 +140,16 @@ const std::vector<std::string>& ScanWriterNames() {
 std::unique_ptr<ScanWriter> OpenScanWriter(const std::string& format,
                                            const fs::path& folder,
                                            std::string* error) {
-  for (const FileForm& form : kFileForms) {
-    if (format != form.name) continue;
+  for (const FileForm& file : FileForms()) {
+    if (format != file.form.word) continue;
+    const fs::path scans = folder / file.form.folder;
     std::error_code failure;
-    fs::create_directories(folder / form.folder, failure);
+    fs::create_directories(scans, failure);
     if (failure) {
-      *error = (folder / form.folder).string() + ": cannot be created: " + SystemMessage(failure);
+      *error = scans.string() + ": cannot be created: " + SystemMessage(failure);
       return nullptr;
     }
-    return std::make_unique<PointFileWriter>(form, folder);
+    return std::make_unique<PointFileWriter>(file, folder);
   }
   const std::vector<std::string>& bags = BagScanWriterNames();
   if (std::find(bags.begin(), bags.end(), format) != bags.end()) {

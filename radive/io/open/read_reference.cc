@@ -15,12 +15,7 @@
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
-#include "radive/io/datasets/dicp_calibration.h"
-#include "radive/io/datasets/radarscenes_hdf5.h"
-#include "radive/io/datasets/raflow_source.h"
-#include "radive/io/datasets/vod_poses.h"
-#include "radive/io/scans/scan_folder.h"
-#include "radive/io/scans/scan_stamps.h"
+#include "radive/io/datasets/dataset.h"
 #include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/find_pose_columns.h"
 #include "radive/io/trajectories/pose_names.h"
@@ -35,23 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using ReferenceFormat = ReferenceOptions::Format;
 
-// Where the datasets put their ground truth, below the folder of the drive.
-constexpr struct {
-  const char* file;
-  ReferenceFormat format;
-} kKnownFiles[] = {
-    {"gt_odom.txt", ReferenceFormat::kTum},
-    {"PR_GT/Continental_gt.txt", ReferenceFormat::kTum},
-    {"PR_GT/Aeva_gt.txt", ReferenceFormat::kTum},
-    {"ref_tls_T_xt32.csv", ReferenceFormat::kTable},
-    {"utm50r_T_xt32.txt", ReferenceFormat::kTum},
-    {"ref_poses.txt", ReferenceFormat::kDicp},
-    {"applanix/aeva_poses.csv", ReferenceFormat::kBoreas},
-    {"groundtruth/groundtruth_poses.txt", ReferenceFormat::kColoRadar},
-    {"groundtruth_poses.txt", ReferenceFormat::kColoRadar},
-    {"gt_poses_kitti.txt", ReferenceFormat::kKitti},
-};
-
 const std::string& NameOf(ReferenceFormat format) {
   return ReferenceFormatNames()[static_cast<std::size_t>(format)];
 }
@@ -61,13 +39,6 @@ struct Found {
   fs::path path;
   ReferenceFormat format = ReferenceFormat::kAuto;
 };
-
-std::vector<std::string> Files(const fs::path& folder, const char* extension) {
-  std::vector<std::string> names;
-  std::string ignored;
-  ListFiles(folder, extension, &names, &ignored);
-  return names;
-}
 
 bool IsBag(const fs::path& path) {
   return BagFormatOfName(path.filename().string()).has_value() ||
@@ -136,64 +107,63 @@ std::optional<ReferenceFormat> FormatOfColumns(const fs::path& file, std::string
   return ReferenceFormat::kTable;
 }
 
-// Whether the first line has names of columns that FindPoseColumns() knows; those of Boreas are
-// not.
-bool NamesTell(const fs::path& file) {
-  std::string text, ignored;
-  if (!ReadWholeFile(file, &text, &ignored)) return false;
-  TextLines lines(text);
-  std::string_view first;
-  return lines.Next(&first) && ColumnsByName(SplitNames(first)).has_value();
+// The form of the file as a dataset names it; kAuto: none does.
+ReferenceFormat FormatOfDatasets(const fs::path& file) {
+  for (const Dataset& dataset : Datasets()) {
+    const OwnTruth& truth = dataset.truth;
+    if (truth.is_file != nullptr && truth.is_file(file)) return truth.format;
+  }
+  return ReferenceFormat::kAuto;
 }
 
 std::optional<Found> DetectFile(const fs::path& file, std::string* error) {
-  const std::string name = file.filename().string();
-  std::int64_t sequence, sample;
   if (IsBag(file)) return Found{file, ReferenceFormat::kBag};
-  if (EndsWith(name, "_scans.csv") || file.extension() == ".h5")
-    return Found{file, ReferenceFormat::kRadarScenes};
-  if (EndsWith(name, "_poses.csv") && !NamesTell(file))
-    return Found{file, ReferenceFormat::kBoreas};
-  if (name == "ref_poses.txt") return Found{file, ReferenceFormat::kDicp};
-  if (name == "groundtruth_poses.txt") return Found{file, ReferenceFormat::kColoRadar};
-  if (ParseRaFlowName(name, &sequence, &sample)) return Found{file, ReferenceFormat::kRaFlow};
+  const ReferenceFormat own = FormatOfDatasets(file);
+  if (own != ReferenceFormat::kAuto) return Found{file, own};
   const std::optional<ReferenceFormat> format = FormatOfColumns(file, error);
   if (!format) return std::nullopt;
   return Found{file, *format};
 }
 
-bool HoldsRaFlow(const fs::path& folder) {
-  for (const std::string& name : Files(folder, ".json")) {
-    std::int64_t sequence, sample;
-    if (ParseRaFlowName(name, &sequence, &sample)) return true;
+// What datasets put into the folder; what was looked for goes to `searched`.
+std::vector<Found> TruthOfDatasets(const fs::path& folder, std::string* searched) {
+  std::vector<Found> found;
+  std::error_code ignored;
+  for (const Dataset& dataset : Datasets()) {
+    for (const TruthFile& known : dataset.truth_files) {
+      *searched += known.file + ", ";
+      if (!fs::exists(folder / known.file, ignored)) continue;
+      found.push_back({folder / known.file, known.format});
+    }
+    const OwnTruth& truth = dataset.truth;
+    if (truth.find == nullptr) continue;
+    *searched += truth.files + " (" + dataset.name + "), ";
+    if (const auto path = truth.find(folder)) found.push_back({*path, truth.format});
   }
-  return false;
+  return found;
 }
 
 std::optional<Found> DetectFolder(const fs::path& folder, std::string* error) {
-  std::vector<Found> found;
-  std::error_code ignored;
-  for (const auto& known : kKnownFiles) {
-    if (fs::exists(folder / known.file, ignored))
-      found.push_back({folder / known.file, known.format});
-  }
-  if (!Files(folder, "_scans.csv").empty() || FindRadarScenesHdf5(folder))
-    found.push_back({folder, ReferenceFormat::kRadarScenes});
-  if (HoldsRaFlow(folder)) found.push_back({folder, ReferenceFormat::kRaFlow});
-  if (const auto poses = FindVodPoses(folder)) found.push_back({*poses, ReferenceFormat::kVod});
+  std::string searched;
+  std::vector<Found> found = TruthOfDatasets(folder, &searched);
   // A bag is the ground truth only where there is nothing better.
   if (found.empty() && FormOfBags(folder)) found.push_back({folder, ReferenceFormat::kBag});
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    *error = folder.string() +
-             ": no ground truth found; looked for pose/*.json (View-of-Delft), radarK_scans.csv, "
-             "radar_seqs-*.json, bags";
-    for (const auto& known : kKnownFiles) *error += std::string(", ") + known.file;
+    *error = folder.string() + ": no ground truth found; looked for " + searched + "bags";
   } else {
     *error = folder.string() + ": several files hold ground truth, name one of them:";
     for (const Found& one : found) *error += " " + one.path.string();
   }
   return std::nullopt;
+}
+
+// Null: no dataset has the form to itself.
+const OwnTruth* OwnTruthOf(ReferenceFormat format) {
+  for (const Dataset& dataset : Datasets()) {
+    if (dataset.truth.format == format) return &dataset.truth;
+  }
+  return nullptr;
 }
 
 std::optional<Found> Detect(const fs::path& path, ReferenceFormat format, std::string* error) {
@@ -202,125 +172,12 @@ std::optional<Found> Detect(const fs::path& path, ReferenceFormat format, std::s
     *error = path.string() + ": cannot be opened; expected ground truth, a file or a folder";
     return std::nullopt;
   }
-  if (format == ReferenceFormat::kVod) {
-    return Found{FindVodPoses(path).value_or(path), format};
+  if (format == ReferenceFormat::kAuto) {
+    return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
   }
-  if (format != ReferenceFormat::kAuto) return Found{path, format};
-  return fs::is_directory(path, failure) ? DetectFolder(path, error) : DetectFile(path, error);
-}
-
-bool ReadPoses(std::optional<RecordedTrajectory> poses, bool has_stamps, Reference* reference) {
-  if (!poses) return false;
-  reference->poses = *std::move(poses);
-  reference->has_stamps = has_stamps;
-  return true;
-}
-
-bool ReadText(const fs::path& file,
-              TrajectoryFormat format,
-              Reference* reference,
-              std::string* error) {
-  return ReadPoses(
-      ReadTrajectory(file, format, error), format != TrajectoryFormat::kKitti, reference);
-}
-
-bool ReadTable(const fs::path& file,
-               const std::optional<PoseColumns>& known,
-               Reference* reference,
-               std::string* error) {
-  std::string text;
-  if (!ReadWholeFile(file, &text, error)) return false;
-  const std::optional<PoseColumns> columns =
-      known ? known : FindPoseColumns(text, file.string(), error);
-  if (!columns) return false;
-  reference->has_stamps = columns->stamp >= 0;
-  return ParsePoseTable(text, *columns, file.string(), &reference->poses, error);
-}
-
-bool ReadColoRadar(const fs::path& path, Reference* reference, std::string* error) {
-  std::error_code ignored;
-  const fs::path file = fs::is_directory(path, ignored) ? path / "groundtruth_poses.txt" : path;
-  const fs::path stamp_file = file.parent_path() / "timestamps.txt";
-  if (!ReadTable(file, ColoRadarColumns(), reference, error)) return false;
-  const std::optional<StampSequence> sequence = ReadStampFile(stamp_file, kAssumedRate, error);
-  if (!sequence) return false;
-  reference->has_stamps = true;
-  const std::vector<std::int64_t>& stamps_ns = sequence->stamps_ns;
-  if (stamps_ns.size() != reference->poses.size()) {
-    *error = stamp_file.string() + ": has " + std::to_string(stamps_ns.size()) +
-             " stamps, expected one for each of the " + std::to_string(reference->poses.size()) +
-             " poses of " + file.string();
-    return false;
-  }
-  for (std::size_t i = 0; i < stamps_ns.size(); ++i) {
-    reference->poses[i].stamp_ns = stamps_ns[i];
-    reference->poses[i].stamp_s = StampSeconds(stamps_ns[i]);
-  }
-  return true;
-}
-
-// Poses of the vehicle, turned into those of its sensor where calibration.json lies beside them.
-bool ReadDicp(const fs::path& path, Reference* reference, std::string* error) {
-  std::error_code ignored;
-  const fs::path file = fs::is_directory(path, ignored) ? path / "ref_poses.txt" : path;
-  if (!ReadText(file, TrajectoryFormat::kTum, reference, error)) return false;
-  const fs::path calibration = file.parent_path() / "calibration.json";
-  if (!fs::exists(calibration, ignored)) return true;
-  std::string text;
-  MatrixPose T_vehicle_sensor;
-  if (!ReadWholeFile(calibration, &text, error)) return false;
-  if (!ParseDicpCalibration(text, &T_vehicle_sensor)) {
-    *error =
-        calibration.string() + ": expected T_V_to_S with translation x y z and quaternion w x y z";
-    return false;
-  }
-  for (RecordedPose& pose : reference->poses)
-    pose.T_world_body = pose.T_world_body * T_vehicle_sensor;
-  return true;
-}
-
-// The tables of all radars: each has the pose of the car at the odometry's stamp next to each scan.
-bool ReadRadarScenes(const fs::path& path, Reference* reference, std::string* error) {
-  std::error_code ignored;
-  const std::optional<fs::path> hdf5 = FindRadarScenesHdf5(path);
-  if (hdf5) {
-    return ReadPoses(ReadRadarScenesOdometry(*hdf5, error), /*has_stamps=*/true, reference);
-  }
-  std::vector<fs::path> files = {path};
-  if (fs::is_directory(path, ignored)) {
-    files.clear();
-    for (const std::string& name : Files(path, "_scans.csv")) files.push_back(path / name);
-  }
-  RecordedTrajectory& all = reference->poses;
-  for (const fs::path& file : files) {
-    std::string text;
-    if (!ReadWholeFile(file, &text, error)) return false;
-    TextLines lines(text);
-    std::string_view names;
-    lines.Next(&names);
-    const std::optional<PoseColumns> columns = RadarScenesColumns(names);
-    if (!columns) {
-      *error = file.string() +
-               ":1: expected the names of the columns, among them timestamp_odom, x, y and yaw, "
-               "found " +
-               Quoted(names);
-      return false;
-    }
-    RecordedTrajectory poses;
-    if (!ParsePoseTable(text, *columns, file.string(), &poses, error)) return false;
-    all.insert(all.end(), poses.begin(), poses.end());
-  }
-  std::stable_sort(all.begin(), all.end(), [](const RecordedPose& a, const RecordedPose& b) {
-    return a.stamp_ns < b.stamp_ns;
-  });
-  all.erase(std::unique(all.begin(),
-                        all.end(),
-                        [](const RecordedPose& a, const RecordedPose& b) {
-                          return a.stamp_ns == b.stamp_ns;
-                        }),
-            all.end());
-  if (all.empty()) *error = path.string() + ": expected radarK_scans.csv, found none";
-  return !all.empty();
+  const OwnTruth* const own = OwnTruthOf(format);
+  const bool can_find = own != nullptr && own->find != nullptr;
+  return Found{can_find ? own->find(path).value_or(path) : path, format};
 }
 
 bool ReadBag(const fs::path& path,
@@ -343,33 +200,22 @@ bool Read(const Found& found,
           int clip,
           Reference* reference,
           std::string* error) {
-  switch (found.format) {
-    case ReferenceFormat::kTum:
-      return ReadText(found.path, TrajectoryFormat::kTum, reference, error);
-    case ReferenceFormat::kKitti:
-      return ReadText(found.path, TrajectoryFormat::kKitti, reference, error);
-    case ReferenceFormat::kEuroc:
-      return ReadText(found.path, TrajectoryFormat::kEuroc, reference, error);
-    case ReferenceFormat::kTable:
-      return ReadTable(found.path, std::nullopt, reference, error);
-    case ReferenceFormat::kBoreas:
-      return ReadTable(found.path, BoreasColumns(), reference, error);
-    case ReferenceFormat::kDicp:
-      return ReadDicp(found.path, reference, error);
-    case ReferenceFormat::kColoRadar:
-      return ReadColoRadar(found.path, reference, error);
-    case ReferenceFormat::kRadarScenes:
-      return ReadRadarScenes(found.path, reference, error);
-    case ReferenceFormat::kVod:
-      return ReadPoses(ReadVodPoses(found.path, error), /*has_stamps=*/false, reference);
-    case ReferenceFormat::kRaFlow:
-      return ReadPoses(ReadRaFlowPoses(found.path, clip, error), /*has_stamps=*/true, reference);
-    case ReferenceFormat::kBag:
-      return ReadBag(found.path, options.topic, reference, error);
-    case ReferenceFormat::kAuto:
-      break;
+  if (found.format == ReferenceFormat::kTum) {
+    return ReadReferenceText(found.path, TrajectoryFormat::kTum, reference, error);
   }
-  return false;
+  if (found.format == ReferenceFormat::kKitti) {
+    return ReadReferenceText(found.path, TrajectoryFormat::kKitti, reference, error);
+  }
+  if (found.format == ReferenceFormat::kEuroc) {
+    return ReadReferenceText(found.path, TrajectoryFormat::kEuroc, reference, error);
+  }
+  if (found.format == ReferenceFormat::kBag) {
+    return ReadBag(found.path, options.topic, reference, error);
+  }
+  const OwnTruth* const own = OwnTruthOf(found.format);
+  if (own != nullptr && own->read != nullptr) return own->read(found.path, clip, reference, error);
+  const std::optional<PoseColumns> columns = own != nullptr ? own->columns("") : std::nullopt;
+  return ReadReferenceTable(found.path, columns, reference, error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/points/csv_text.h"
 #include "radive/io/points/field_matching.h"
 

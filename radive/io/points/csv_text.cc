@@ -19,7 +19,11 @@ char DelimiterOf(std::string_view line) {
   return ' ';
 }
 
+bool IsBlankOrQuote(char c) { return c == ' ' || c == '\t' || c == '"'; }
+
 std::string_view WithoutQuotes(std::string_view cell) {
+  // Most cells are numbers and nothing else.
+  if (!cell.empty() && !IsBlankOrQuote(cell.front()) && !IsBlankOrQuote(cell.back())) return cell;
   cell = TrimBlanks(cell);
   if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
     cell = TrimBlanks(cell.substr(1, cell.size() - 2));
@@ -85,8 +89,9 @@ void SplitCells(std::string_view line, char delimiter, std::vector<std::string_v
     }
     return;
   }
+  const bool has_quotes = line.find('"') != std::string_view::npos;
   while (cells->size() < kMostColumns) {
-    const std::size_t end = EndOfCell(line, delimiter);
+    const std::size_t end = has_quotes ? EndOfCell(line, delimiter) : line.find(delimiter);
     cells->push_back(WithoutQuotes(line.substr(0, end)));
     if (end == std::string_view::npos) return;
     line.remove_prefix(end + 1);
@@ -94,6 +99,7 @@ void SplitCells(std::string_view line, char delimiter, std::vector<std::string_v
 }
 
 bool IsCsvComment(std::string_view line) {
+  if (!line.empty() && line.front() >= '0' && line.front() <= '9') return false;
   line = TrimBlanks(line);
   return line.empty() || line.front() == '#' || line.front() == '%' || line.substr(0, 2) == "//";
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/text_lines.h"
 
@@ -85,8 +86,8 @@ bool ReadHeader(std::string_view* bytes, NpyHeader* header, std::string* error) 
       *error += "; a zip archive (npz) holds arrays in files";
     return false;
   }
-  const std::size_t size = size_bytes == 2 ? ReadUnsigned<std::uint16_t>(bytes->data() + 8, false)
-                                           : ReadUnsigned<std::uint32_t>(bytes->data() + 8, false);
+  const std::size_t size = size_bytes == 2 ? NumberAt<std::uint16_t>(bytes->data() + 8)
+                                           : NumberAt<std::uint32_t>(bytes->data() + 8);
   bytes->remove_prefix(8 + size_bytes);
   if (size > bytes->size()) {
     *error = "the header of the NumPy array is cut off";

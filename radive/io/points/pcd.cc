@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/lzf.h"
 #include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/text_lines.h"
@@ -199,14 +201,24 @@ bool ReadBinary(const PcdHeader& header, PointTable* table, std::vector<std::str
   return true;
 }
 
+// Values side by side to where they belong in each record. `kWidth`: their width, where it is known
+// to the compiler, which then needs no call for each of them; or 0.
+template <std::size_t kWidth>
+void ScatterColumn(
+    const char* from, std::size_t width, std::size_t count, std::size_t stride, char* to) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(to + i * stride, from + i * width, kWidth > 0 ? kWidth : width);
+  }
+}
+
 bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* error) {
   std::string_view payload = header.payload;
   if (payload.size() < 8) {
     *error = "expected the two sizes of the compressed data, found the end of the file";
     return false;
   }
-  const std::size_t packed_size = ReadUnsigned<std::uint32_t>(payload.data(), false);
-  const std::size_t size = ReadUnsigned<std::uint32_t>(payload.data() + 4, false);
+  const std::size_t packed_size = NumberAt<std::uint32_t>(payload.data());
+  const std::size_t size = NumberAt<std::uint32_t>(payload.data() + 4);
   payload.remove_prefix(8);
   const auto promised = Promised(header, size / table->stride);
   if (packed_size > payload.size() || size % table->stride != 0 ||
@@ -227,12 +239,13 @@ bool ReadCompressed(const PcdHeader& header, PointTable* table, std::string* err
   const char* from = columns.data();
   for (const PointField& field : table->fields) {
     const std::size_t width = SizeOf(field.type) * field.count;
-    char* to = table->owned.data() + field.offset;
-    for (std::size_t i = 0; i < table->num_points; ++i) {
-      std::copy_n(from, width, to);
-      from += width;
-      to += table->stride;
+    char* const to = table->owned.data() + field.offset;
+    if (width == sizeof(float)) {
+      ScatterColumn<sizeof(float)>(from, width, table->num_points, table->stride, to);
+    } else {
+      ScatterColumn<0>(from, width, table->num_points, table->stride, to);
     }
+    from += width * table->num_points;
   }
   return true;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/text_lines.h"
 

@@ -3,14 +3,18 @@
 
 #include "radive/io/points/point_file_writer.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
+#include <limits>
+#include <optional>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/lzf.h"
-#include "radive/io/points/point_table.h"
+#include "radive/io/points/field_matching.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -36,8 +40,56 @@ void AppendTextLine(const RadarReturn& ret, char separator, std::string* text) {
   }
 }
 
-void AppendFloats(std::initializer_list<float> values, std::string* bytes) {
-  for (const float value : values) AppendLittleEndian(value, bytes);
+// In the order of FieldRole; the time of a return is 0.
+std::array<float, kNumFieldRoles> ValuesOfRoles(const RadarReturn& ret, double power_offset) {
+  const auto [x, y, z, doppler, power] = Values(ret);
+  const float range = Eigen::Vector3f(x, y, z).norm();
+  const float elevation = range > 0.0F ? std::asin(z / range) : 0.0F;
+  return {x,
+          y,
+          z,
+          range,
+          std::atan2(y, x),
+          elevation,
+          doppler,
+          power + static_cast<float>(power_offset),
+          0.0F};
+}
+
+// Rounded and cut off at the limits of the type.
+template <typename Integer>
+void AppendInteger(float value, std::string* bytes) {
+  const double whole = std::isfinite(value) ? std::round(static_cast<double>(value)) : 0.0;
+  AppendLittleEndian(
+      static_cast<Integer>(std::clamp(whole,
+                                      static_cast<double>(std::numeric_limits<Integer>::min()),
+                                      static_cast<double>(std::numeric_limits<Integer>::max()))),
+      bytes);
+}
+
+void AppendAs(NumericType type, float value, std::string* bytes) {
+  switch (type) {
+    case NumericType::kFloat32:
+      return AppendLittleEndian(value, bytes);
+    case NumericType::kFloat64:
+      return AppendLittleEndian(static_cast<double>(value), bytes);
+    case NumericType::kInt8:
+      return AppendInteger<std::int8_t>(value, bytes);
+    case NumericType::kUint8:
+      return AppendInteger<std::uint8_t>(value, bytes);
+    case NumericType::kInt16:
+      return AppendInteger<std::int16_t>(value, bytes);
+    case NumericType::kUint16:
+      return AppendInteger<std::uint16_t>(value, bytes);
+    case NumericType::kInt32:
+      return AppendInteger<std::int32_t>(value, bytes);
+    case NumericType::kUint32:
+      return AppendInteger<std::uint32_t>(value, bytes);
+    case NumericType::kInt64:
+    case NumericType::kUint64:
+      break;
+  }
+  LOG(FATAL) << "records with 64-bit integers are not written";
 }
 
 std::string PcdHeaderText(const std::string& names, std::size_t count, const char* data) {
@@ -65,7 +117,7 @@ std::string PcdBytes(const std::vector<RadarReturn>& returns, PcdEncoding encodi
     return text;
   }
   if (encoding == PcdEncoding::kBinary) {
-    return PcdHeaderText(names, returns.size(), "binary") + RawBytes(returns);
+    return PcdRecordBytes(returns, KnownLayout("xyzdp5"));
   }
   std::string columns;
   for (std::size_t field = 0; field < kNumFields; ++field) {
@@ -76,18 +128,6 @@ std::string PcdBytes(const std::vector<RadarReturn>& returns, PcdEncoding encodi
   AppendLittleEndian(static_cast<std::uint32_t>(packed.size()), &bytes);
   AppendLittleEndian(static_cast<std::uint32_t>(columns.size()), &bytes);
   return bytes + packed;
-}
-
-std::string SnailPcdBytes(const std::vector<RadarReturn>& returns) {
-  std::string bytes =
-      PcdHeaderText("x y z doppler intensity range_std azimuth_std elevation_std doppler_std",
-                    returns.size(),
-                    "binary");
-  for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    AppendFloats({x, y, z, doppler, power + 128.0F, 0.0F, 0.0F, 0.0F, 0.0F}, &bytes);
-  }
-  return bytes;
 }
 
 std::string PlyBytes(const std::vector<RadarReturn>& returns, PlyEncoding encoding) {
@@ -135,77 +175,40 @@ std::string NpyBytes(const std::vector<RadarReturn>& returns) {
   std::string bytes("\x93NUMPY\x01\0", 8);
   AppendLittleEndian(static_cast<std::uint16_t>(header.size()), &bytes);
   bytes += header;
+  return bytes + RecordBytes(returns, KnownLayout("x,y,z,power,doppler"));
+}
+
+std::string RecordBytes(const std::vector<RadarReturn>& returns,
+                        const RawLayout& layout,
+                        double power_offset) {
+  std::string error;
+  const std::optional<FieldMatch> match = MatchFields(layout.fields, {}, &error);
+  CHECK(match) << error;
+  std::string bytes;
   for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    AppendFloats({x, y, z, power, doppler}, &bytes);
+    const std::array<float, kNumFieldRoles> values = ValuesOfRoles(ret, power_offset);
+    const std::size_t begin = bytes.size();
+    for (std::size_t i = 0; i < layout.fields.size(); ++i) {
+      const PointField& field = layout.fields[i];
+      bytes.resize(begin + field.offset, '\0');
+      float value = 0.0F;
+      for (std::size_t role = 0; role < kNumFieldRoles; ++role) {
+        if ((*match)[static_cast<FieldRole>(role)] == static_cast<int>(i)) value = values[role];
+      }
+      AppendAs(field.type, value, &bytes);
+    }
+    bytes.resize(begin + layout.record_size, '\0');
   }
   return bytes;
 }
 
-std::string RawBytes(const std::vector<RadarReturn>& returns) {
-  std::string bytes;
-  for (const RadarReturn& ret : returns) {
-    for (const float value : Values(ret)) AppendLittleEndian(value, &bytes);
-  }
-  return bytes;
-}
-
-std::string VodBytes(const std::vector<RadarReturn>& returns) {
-  std::string bytes;
-  for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    AppendFloats({x, y, z, power, doppler, 0.0F, 0.0F}, &bytes);
-  }
-  return bytes;
-}
-
-std::string HerculesBytes(const std::vector<RadarReturn>& returns) {
-  std::string bytes;
-  for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    const Eigen::Vector3f position(x, y, z);
-    const float range = position.norm();
-    AppendFloats({x, y, z, doppler, range}, &bytes);
-    const double whole = std::isfinite(power) ? std::clamp(std::round(power), -128.0F, 127.0F) : 0;
-    AppendLittleEndian(static_cast<std::int8_t>(whole), &bytes);
-    AppendFloats({std::atan2(y, x), range > 0.0F ? std::asin(z / range) : 0.0F}, &bytes);
-  }
-  return bytes;
-}
-
-std::string AevaBytes(const std::vector<RadarReturn>& returns) {
-  std::string bytes;
-  for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    AppendFloats({x, y, z, 0.0F, doppler}, &bytes);  // reflectivity 0
-    AppendLittleEndian(std::int32_t{0}, &bytes);     // time offset
-    AppendLittleEndian(std::int8_t{0}, &bytes);      // line
-    AppendFloats({power}, &bytes);
-  }
-  return bytes;
-}
-
-std::string Tj4dBytes(const std::vector<RadarReturn>& returns) {
-  constexpr float kDegrees = 57.29577951F;
-  std::string bytes;
-  for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    const float range = Eigen::Vector3f(x, y, z).norm();
-    const float elevation = range > 0.0F ? std::asin(z / range) : 0.0F;
-    AppendFloats(
-        {x, y, z, doppler, range, power, -kDegrees * std::atan2(y, x), kDegrees * elevation},
-        &bytes);
-  }
-  return bytes;
-}
-
-std::string ColoRadarBytes(const std::vector<RadarReturn>& returns) {
-  std::string bytes;
-  for (const RadarReturn& ret : returns) {
-    const auto [x, y, z, doppler, power] = Values(ret);
-    AppendFloats({x, y, z, power, doppler}, &bytes);
-  }
-  return bytes;
+std::string PcdRecordBytes(const std::vector<RadarReturn>& returns,
+                           const RawLayout& layout,
+                           double power_offset) {
+  std::string names;
+  for (const PointField& field : layout.fields) names += (names.empty() ? "" : " ") + field.name;
+  return PcdHeaderText(names, returns.size(), "binary") +
+         RecordBytes(returns, layout, power_offset);
 }
 
 }  // namespace radive

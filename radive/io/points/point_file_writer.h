@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "radive/io/points/raw_layout.h"
 #include "radive/sensor/radar_scan.h"
 
 namespace radive {
@@ -20,20 +21,16 @@ std::string PcdBytes(const std::vector<RadarReturn>& returns, PcdEncoding encodi
 std::string PlyBytes(const std::vector<RadarReturn>& returns, PlyEncoding encoding);
 std::string CsvBytes(const std::vector<RadarReturn>& returns);
 
-// Binary PCD with the nine fields that SNAIL-Radar has for the ARS548; the intensity is the power
-// plus 128, the standard deviations are 0.
-std::string SnailPcdBytes(const std::vector<RadarReturn>& returns);
-
 // Array of rows x y z power doppler, as K-Radar has it.
 std::string NpyBytes(const std::vector<RadarReturn>& returns);
 
-// Records of raw layouts: xyzdp5; vod7, the compensated velocity 0; hercules29, the power rounded
-// to int8; aeva29, the power as intensity; tj4d8; coloradar5.
-std::string RawBytes(const std::vector<RadarReturn>& returns);
-std::string VodBytes(const std::vector<RadarReturn>& returns);
-std::string HerculesBytes(const std::vector<RadarReturn>& returns);
-std::string AevaBytes(const std::vector<RadarReturn>& returns);
-std::string Tj4dBytes(const std::vector<RadarReturn>& returns);
-std::string ColoRadarBytes(const std::vector<RadarReturn>& returns);
+// Raw records, or the binary PCD of such records: what a return has no value for is 0, integers are
+// rounded. `power_offset` is added to the power [dB].
+std::string RecordBytes(const std::vector<RadarReturn>& returns,
+                        const RawLayout& layout,
+                        double power_offset = 0.0);
+std::string PcdRecordBytes(const std::vector<RadarReturn>& returns,
+                           const RawLayout& layout,
+                           double power_offset = 0.0);
 
 }  // namespace radive

@@ -3,20 +3,9 @@
 
 #include "radive/io/points/point_table.h"
 
+#include "radive/io/bytes/byte_order.h"
+
 namespace radive {
-namespace {
-
-template <typename Number, typename Unsigned>
-double Read(const char* bytes, bool is_big_endian) {
-  static_assert(sizeof(Number) == sizeof(Unsigned));
-  const Unsigned bits = ReadUnsigned<Unsigned>(bytes, is_big_endian);
-  Number value;
-  std::memcpy(&value, &bits, sizeof(value));
-  return static_cast<double>(value);
-}
-
-}  // namespace
-
 const char* NameOf(NumericType type) {
   switch (type) {
     case NumericType::kInt8:
@@ -61,25 +50,25 @@ bool PointTable::CheckFields(std::string* error) const {
 double ReadNumber(const char* bytes, NumericType type, bool is_big_endian) {
   switch (type) {
     case NumericType::kInt8:
-      return Read<std::int8_t, std::uint8_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::int8_t>(bytes, is_big_endian));
     case NumericType::kUint8:
-      return Read<std::uint8_t, std::uint8_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::uint8_t>(bytes, is_big_endian));
     case NumericType::kInt16:
-      return Read<std::int16_t, std::uint16_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::int16_t>(bytes, is_big_endian));
     case NumericType::kUint16:
-      return Read<std::uint16_t, std::uint16_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::uint16_t>(bytes, is_big_endian));
     case NumericType::kInt32:
-      return Read<std::int32_t, std::uint32_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::int32_t>(bytes, is_big_endian));
     case NumericType::kUint32:
-      return Read<std::uint32_t, std::uint32_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::uint32_t>(bytes, is_big_endian));
     case NumericType::kInt64:
-      return Read<std::int64_t, std::uint64_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::int64_t>(bytes, is_big_endian));
     case NumericType::kUint64:
-      return Read<std::uint64_t, std::uint64_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<std::uint64_t>(bytes, is_big_endian));
     case NumericType::kFloat32:
-      return Read<float, std::uint32_t>(bytes, is_big_endian);
+      return static_cast<double>(NumberAt<float>(bytes, is_big_endian));
     case NumericType::kFloat64:
-      return Read<double, std::uint64_t>(bytes, is_big_endian);
+      return NumberAt<double>(bytes, is_big_endian);
   }
   return 0.0;
 }

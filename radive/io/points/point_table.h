@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -90,38 +89,5 @@ struct PointTable {
 // The number of the given type at `bytes`, which need not be aligned, as a double. Integers beyond
 // 2^53 are rounded.
 double ReadNumber(const char* bytes, NumericType type, bool is_big_endian);
-
-// The value of `Unsigned` at `bytes`, whatever this machine's order.
-template <typename Unsigned>
-Unsigned ReadUnsigned(const char* bytes, bool is_big_endian) {
-  Unsigned value = 0;
-  for (std::size_t i = 0; i < sizeof(Unsigned); ++i) {
-    const std::size_t place = is_big_endian ? i : sizeof(Unsigned) - 1 - i;
-    value = static_cast<Unsigned>((static_cast<std::uint64_t>(value) << 8) |
-                                  static_cast<unsigned char>(bytes[place]));
-  }
-  return value;
-}
-
-// Appends the bytes of `value`, little-endian. The other way round of ReadNumber(), for writers.
-template <typename Number>
-void AppendLittleEndian(Number value, std::string* bytes) {
-  unsigned char raw[sizeof(Number)];
-  std::memcpy(raw, &value, sizeof(Number));
-  const std::uint16_t probe = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &probe, 1);
-  for (std::size_t i = 0; i < sizeof(Number); ++i) {
-    *bytes += static_cast<char>(raw[first == 1 ? i : sizeof(Number) - 1 - i]);
-  }
-}
-
-// The bytes of `value`, little-endian.
-template <typename Number>
-std::string LittleEndian(Number value) {
-  std::string bytes;
-  AppendLittleEndian(value, &bytes);
-  return bytes;
-}
 
 }  // namespace radive

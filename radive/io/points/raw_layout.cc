@@ -3,6 +3,8 @@
 
 #include "radive/io/points/raw_layout.h"
 
+#include <glog/logging.h>
+
 #include <array>
 #include <string_view>
 #include <utility>
@@ -26,6 +28,7 @@ constexpr std::pair<std::string_view, std::string_view> kNamedLayouts[] = {
     {"kitti4", "x,y,z,intensity"},
     {"hercules29", "x,y,z,v,r,RCS:int8,azimuth,elevation"},
     {"aeva29", "x,y,z,reflectivity,velocity,time_offset_ns:int32,line_index:uint8,intensity"},
+    {"aeva", "x,y,z,reflectivity,velocity,time_offset_ns:int32,line_index:uint8,intensity"},
     {"aeva25", "x,y,z,reflectivity,velocity,time_offset_ns:int32,line_index:uint8"},
     {"boreas_aeva40", "x,y,z,v,intensity,signal_quality,reflectivity,time,point_flags:uint64"},
     {"boreas_aeva7", "x,y,z,intensity,doppler,laser_number,time"},
@@ -67,18 +70,8 @@ std::string Objection(const PointField& field, const std::vector<PointField>& be
   return "";
 }
 
-}  // namespace
-
-const std::vector<std::string>& RawLayoutNames() {
-  static const std::vector<std::string>* const names = [] {
-    auto* const list = new std::vector<std::string>();
-    for (const auto& layout : kNamedLayouts) list->emplace_back(layout.first);
-    return list;
-  }();
-  return *names;
-}
-
-std::optional<RawLayout> ParseRawLayout(const std::string& text, std::string* error) {
+// `allow_any`: columns may have names that say nothing.
+std::optional<RawLayout> ParseColumns(const std::string& text, bool allow_any, std::string* error) {
   RawLayout layout;
   layout.name = text;
   std::string_view columns = TrimBlanks(text);
@@ -105,7 +98,7 @@ std::optional<RawLayout> ParseRawLayout(const std::string& text, std::string* er
     field->offset = layout.record_size;
     layout.record_size += SizeOf(field->type);
     if (field->name != "_") {
-      const std::string objection = is_named ? "" : Objection(*field, layout.fields);
+      const std::string objection = is_named || allow_any ? "" : Objection(*field, layout.fields);
       if (!objection.empty()) {
         *error = where + ": " + objection;
         return std::nullopt;
@@ -121,6 +114,36 @@ std::optional<RawLayout> ParseRawLayout(const std::string& text, std::string* er
     return std::nullopt;
   }
   return layout;
+}
+
+}  // namespace
+
+RawLayout KnownLayout(const std::string& text) {
+  std::string error;
+  std::optional<RawLayout> layout = ParseColumns(text, /*allow_any=*/true, &error);
+  CHECK(layout) << "input options were not checked: " << error;
+  return *std::move(layout);
+}
+
+std::vector<std::string> LayoutsOfSize(std::size_t size) {
+  std::vector<std::string> names;
+  for (const std::string& name : RawLayoutNames()) {
+    if (size > 0 && size % KnownLayout(name).record_size == 0) names.push_back(name);
+  }
+  return names;
+}
+
+const std::vector<std::string>& RawLayoutNames() {
+  static const std::vector<std::string>* const names = [] {
+    auto* const list = new std::vector<std::string>();
+    for (const auto& layout : kNamedLayouts) list->emplace_back(layout.first);
+    return list;
+  }();
+  return *names;
+}
+
+std::optional<RawLayout> ParseRawLayout(const std::string& text, std::string* error) {
+  return ParseColumns(text, /*allow_any=*/false, error);
 }
 
 }  // namespace radive

@@ -33,6 +33,8 @@ struct RawLayout {
 //   hercules29     HeRCULES Continental: x y z v r, RCS as int8, azimuth elevation
 //   aeva29 aeva25  HeRCULES Aeva: x y z reflectivity velocity, time_offset_ns as int32, line_index
 //                  as uint8, and in the longer one intensity
+//   aeva           the same of either length, each file by its size; where columns are asked for,
+//                  the longer
 //   boreas_aeva40  Boreas-RT Aeva: x y z v intensity signal_quality reflectivity time, flags
 //   boreas_aeva7   Boreas Aeva, older: x y z intensity doppler laser_number time
 const std::vector<std::string>& RawLayoutNames();
@@ -44,5 +46,11 @@ const std::vector<std::string>& RawLayoutNames();
 // Nothing, and what is wrong in `error`, for anything else; in particular an unknown column is an
 // error, so that a misspelt doppler is not lost in silence.
 std::optional<RawLayout> ParseRawLayout(const std::string& text, std::string* error);
+
+// The same for a text that was checked, or is our own: its columns may have any names.
+RawLayout KnownLayout(const std::string& text);
+
+// Names of the known layouts whose records divide a file of that size [bytes].
+std::vector<std::string> LayoutsOfSize(std::size_t size);
 
 }  // namespace radive

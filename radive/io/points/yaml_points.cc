@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/number_text.h"
 #include "radive/io/bytes/text_lines.h"
 

@@ -46,7 +46,7 @@ std::vector<OptionField> InputOptions::Fields() {
           "-",
           "Columns of raw records and npy arrays; empty: found out where the dataset is known: " +
               KnownLayouts() +
-              ", aeva (aeva29 or aeva25), or a list of x, y, z, doppler, power and _ (ignored), "
+              " (aeva: aeva29 or aeva25), or a list of x, y, z, doppler, power and _ (ignored), "
               "such as [x,y,z,doppler,power,_,_]; float32, or with the type: rcs:int8."},
       OptionField{"fields",
                   &fields,
@@ -73,7 +73,7 @@ std::vector<OptionField> InputOptions::Fields() {
           &radar,
           "-",
           "Which radar of the vehicle, for data with several: its number from 1, or all, which "
-          "makes motion.body the vehicle."},
+          "makes motion.body the vehicle; empty: the dataset's usual one (of RadarScenes 2)."},
       OptionField{"clip",
                   &clip,
                   "-",
@@ -102,14 +102,6 @@ std::vector<OptionField> InputOptions::Fields() {
           "-",
           "Topic of a bag (std_msgs/Header) that says when each scan began; empty: the only "
           "one, where the point clouds have no stamps; none: not used."},
-      OptionField{"drop_share",
-                  &drop_share,
-                  "-",
-                  "Share of the returns that is left out at random, to see what depends on single "
-                  "returns."}
-          .AtLeast(0.0)
-          .AtMost(0.99),
-      OptionField{"drop_seed", &drop_seed, "-", "Seed of that choice."}.AtLeast(0),
       OptionField{"max_message_bytes",
                   &max_message_bytes,
                   "bytes",
@@ -132,13 +124,13 @@ bool InputOptions::IsValid(std::string* error) const {
         Quoted(axes);
     return false;
   }
-  if (!layout.empty() && LowerCase(layout) != "aeva" && !ParseRawLayout(layout, &reason)) {
+  if (!layout.empty() && !ParseRawLayout(layout, &reason)) {
     *error = "input." + reason;
     return false;
   }
   const std::optional<std::int64_t> number = ParseInteger(radar);
-  if (radar != "all" && !(number && *number >= 1 && *number <= 999)) {
-    *error = "input.radar must be a number from 1, or all, is '" + radar + "'";
+  if (!radar.empty() && radar != "all" && !(number && *number >= 1 && *number <= 999)) {
+    *error = "input.radar must be a number from 1, all or empty, is '" + radar + "'";
     return false;
   }
   return true;

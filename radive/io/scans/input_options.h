@@ -31,8 +31,8 @@ struct InputOptions {
 
   Format format = Format::kAuto;
 
-  // Columns of raw records and of npy arrays, see ParseRawLayout() in raw_layout.h; "aeva": of 29
-  // or 25 bytes, each file by its size. Empty: found out where the dataset is known.
+  // Columns of raw records and of npy arrays, see ParseRawLayout() in raw_layout.h.
+  // Empty: found out where the dataset is known.
   std::string layout;
 
   // Folder with the scan files, relative to the input; empty: found in the usual places. With radar
@@ -44,8 +44,8 @@ struct InputOptions {
   double rate = 0.0;
 
   // Which radar of the vehicle, for data with several: a number from 1, or "all", see all_radars.h.
-  // Those of RadarScenes that look ahead are 2 and 3.
-  std::string radar = "2";
+  // Empty: the one that the dataset's row chooses, see datasets/dataset.h.
+  std::string radar;
 
   // Of data in clips of consecutive scans: its number from 1; 0: the longest.
   int clip = 0;
@@ -70,11 +70,6 @@ struct InputOptions {
   // Topic of a bag whose messages (std_msgs/Header) say when each scan began; empty: the only one
   // of that type, where the headers of the point clouds have no stamps; "none": no such topic.
   std::string trigger_topic;
-
-  // Share of the returns that is left out at random [-], and the seed of the choice: what depends
-  // on single returns differs from seed to seed. See thinned_source.h.
-  double drop_share = 0.0;
-  int drop_seed = 0;
 
   // Largest message that is read from a bag [bytes].
   int max_message_bytes = 256 << 20;

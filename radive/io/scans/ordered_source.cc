@@ -18,20 +18,37 @@ std::string SignedSeconds(std::int64_t shift_ns) {
 
 }  // namespace
 
-void OrderedSource::ReadAhead() {
-  while (scans_.size() <= StampOrder::kReach && status_behind_ == Status::kScan) {
+ScanSource::Status OrderedSource::Read(RadarScan* scan) {
+  const Status status =
+      num_read_ < num_to_pass_over_ ? source_->PassOver(scan) : source_->Next(scan);
+  status_behind_ = PassOn(status, source_.get());
+  if (status == Status::kScan) ++num_read_;
+  return status;
+}
+
+// The scans up to that of `position` among the entries.
+ScanSource::Status OrderedSource::ReadToPosition(std::size_t position) {
+  while (scans_.size() <= position) {
     RadarScan scan;
     if (!spare_.empty()) {
       scan = std::move(spare_.back());
       spare_.pop_back();
     }
-    const Status status =
-        num_read_ < num_to_pass_over_ ? source_->PassOver(&scan) : source_->Next(&scan);
-    status_behind_ = PassOn(status, source_.get());
-    if (status != Status::kScan) return;
-    ++num_read_;
-    entries_.push_back({scan.stamp_ns, source_->record_ns()});
+    const Status status = Read(&scan);
+    if (status != Status::kScan) return status;
     scans_.push_back(std::move(scan));
+  }
+  return Status::kScan;
+}
+
+void OrderedSource::LookAhead() {
+  while (entries_.size() <= StampOrder::kReach && next_known_ < known_ns_.size()) {
+    entries_.push_back({known_ns_[next_known_++], std::nullopt});
+  }
+  if (!known_ns_.empty() && !entries_.empty()) return;
+  while (entries_.size() <= StampOrder::kReach && status_behind_ == Status::kScan) {
+    if (ReadToPosition(scans_.size()) != Status::kScan) return;
+    entries_.push_back({scans_.back().stamp_ns, source_->record_ns()});
   }
 }
 
@@ -78,14 +95,32 @@ void OrderedSource::GiveWarnings() {
 
 ScanSource::Status OrderedSource::Next(RadarScan* scan) {
   for (;;) {
-    ReadAhead();
-    if (scans_.empty()) {
+    LookAhead();
+    if (entries_.empty()) {
       counted_.Finish();
       GiveWarnings();
       return status_behind_;
     }
     const StampOrder::Decision decision = order_.Next(entries_);
     const auto position = static_cast<std::ptrdiff_t>(decision.position);
+    if (scans_.empty() && position == 0) {
+      // Nothing is between the source and the caller, who keeps the memory.
+      if (Read(scan) != Status::kScan) {
+        entries_.clear();
+        next_known_ = known_ns_.size();
+        continue;
+      }
+      Warn(decision, *scan, /*is_dropped=*/false);
+      GiveWarnings();
+      scan->stamp_ns = decision.stamp_ns;
+      entries_.pop_front();
+      return Status::kScan;
+    }
+    if (ReadToPosition(decision.position) != Status::kScan) {
+      entries_.resize(scans_.size());
+      next_known_ = known_ns_.size();
+      continue;
+    }
     const bool is_unusable =
         decision.kind == StampOrder::Kind::kRepeated || decision.kind == StampOrder::Kind::kTooLate;
     const bool is_dropped = is_unusable && entries_[decision.position].record_ns.has_value();

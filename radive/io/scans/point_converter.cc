@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/text_lines.h"
 
 namespace radive {
@@ -49,10 +50,7 @@ struct Float32Number {
 
   double operator()(const char* record) const {
     if (!is_there) return std::numeric_limits<double>::quiet_NaN();
-    const std::uint32_t bits = ReadUnsigned<std::uint32_t>(record + offset, false);
-    float value;
-    std::memcpy(&value, &bits, sizeof(value));
-    return static_cast<double>(value);
+    return static_cast<double>(NumberAt<float>(record + offset));
   }
 };
 

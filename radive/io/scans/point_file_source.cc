@@ -117,10 +117,12 @@ const char* ExtensionOf(PointFileFormat format) {
 std::unique_ptr<ScanSource> OpenPointFileSource(const std::filesystem::path& path,
                                                 PointFileFormat format,
                                                 const InputOptions& options,
-                                                std::string* error) {
+                                                std::string* error,
+                                                const std::vector<std::string>& more_folders) {
   ScanFolderQuery query;
   query.extension = ExtensionOf(format);
-  query.candidates = {".", "points", "radar", "pointclouds", "ars548/points", "eagleg7/enhanced"};
+  query.candidates = {".", "points", "radar", "pointclouds"};
+  query.candidates.insert(query.candidates.end(), more_folders.begin(), more_folders.end());
   if (!options.folder.empty()) query.LookOnlyIn(options.folder);
   query.rate = options.rate;
   if (format == PointFileFormat::kCsv) {

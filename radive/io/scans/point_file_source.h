@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "radive/io/scans/input_options.h"
 #include "radive/io/scans/scan_source.h"
@@ -23,10 +24,11 @@ const char* ExtensionOf(PointFileFormat format);
 
 // A folder with one such file a scan, or one such file. `options` must be valid; input.layout names
 // the columns of npy files. Null, with the place and the expectation in `error`, when `path` holds
-// none.
+// none. `more_folders` are looked at besides the usual ones.
 std::unique_ptr<ScanSource> OpenPointFileSource(const std::filesystem::path& path,
                                                 PointFileFormat format,
                                                 const InputOptions& options,
-                                                std::string* error);
+                                                std::string* error,
+                                                const std::vector<std::string>& more_folders = {});
 
 }  // namespace radive

@@ -11,22 +11,9 @@
 #include <utility>
 
 #include "radive/io/bytes/record_file.h"
-#include "radive/io/bytes/text_lines.h"
 
 namespace radive {
 namespace {
-
-constexpr char kAevaLayout[] = "aeva";
-// Recordings with 25 bytes end in August 2023; stamps before 2019 are of another clock [ns].
-constexpr std::int64_t kFirstStampOf25Bytes = 1546300800000000000;
-constexpr std::int64_t kLastStampOf25Bytes = 1691936557946849179;
-
-RawLayout LayoutOf(const std::string& text) {
-  std::string error;
-  std::optional<RawLayout> layout = ParseRawLayout(text, &error);
-  CHECK(layout) << "input options were not checked: " << error;
-  return *std::move(layout);
-}
 
 // Number of records whose stored range is not |x y z|.
 std::size_t CountContradictions(const PointTable& table, const FieldMatch& match) {
@@ -77,60 +64,43 @@ bool RawFileReader::Read(std::string_view bytes,
   return true;
 }
 
-AevaFileReader::AevaFileReader() : reader29_(LayoutOf("aeva29")), reader25_(LayoutOf("aeva25")) {}
+ScanFolderQuery RawFolders(const InputOptions& options,
+                           const std::vector<std::string>& more_folders) {
+  ScanFolderQuery query;
+  query.candidates = {".", "radar", "velodyne", "training/velodyne", "radar/training/velodyne"};
+  query.candidates.insert(query.candidates.end(), more_folders.begin(), more_folders.end());
+  if (!options.folder.empty()) query.LookOnlyIn(options.folder);
+  query.rate = options.rate;
+  return query;
+}
 
-bool AevaFileReader::Read(std::string_view bytes,
-                          std::int64_t stamp_ns,
-                          PointTable* table,
-                          std::vector<std::string>* remarks,
-                          std::string* error) {
-  const bool fits29 = bytes.size() % 29 == 0;
-  const bool fits25 = bytes.size() % 25 == 0;
-  const bool is_old = stamp_ns >= kFirstStampOf25Bytes && stamp_ns <= kLastStampOf25Bytes;
-  const bool is29 = fits29 != fits25 ? fits29 : !is_old;
-  return (is29 ? reader29_ : reader25_).Read(bytes, stamp_ns, table, remarks, error);
+std::unique_ptr<ScanSource> OpenRawFiles(const std::filesystem::path& path,
+                                         const ScanFolderQuery& query,
+                                         std::unique_ptr<PointFileReader> reader,
+                                         const InputOptions& options,
+                                         const std::string& description,
+                                         std::string* error) {
+  std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
+  if (!folder) return nullptr;
+  return std::make_unique<PointFolderSource>(
+      *std::move(folder), std::move(reader), options, description);
 }
 
 std::unique_ptr<ScanSource> OpenRawSource(const std::filesystem::path& path,
                                           const InputOptions& options,
-                                          std::string* error) {
+                                          std::string* error,
+                                          const std::vector<std::string>& more_folders) {
   if (options.layout.empty()) {
     *error = path.string() +
              ": raw files do not tell their columns; set input.layout, see --help_config";
     return nullptr;
   }
-  ScanFolderQuery query;
-  query.candidates = {".", "radar", "velodyne", "training/velodyne", "radar/training/velodyne"};
-  if (!options.folder.empty()) query.LookOnlyIn(options.folder);
-  query.rate = options.rate;
-  std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
-  if (!folder) return nullptr;
-  if (LowerCase(options.layout) == kAevaLayout) {
-    return std::make_unique<PointFolderSource>(
-        *std::move(folder), std::make_unique<AevaFileReader>(), options, "Aeva scans");
-  }
-  auto reader = std::make_unique<RawFileReader>(LayoutOf(options.layout));
-  return std::make_unique<PointFolderSource>(
-      *std::move(folder), std::move(reader), options, "raw float32 scans (" + options.layout + ")");
-}
-
-std::unique_ptr<ScanSource> OpenHerculesSource(const std::filesystem::path& path,
-                                               const InputOptions& options,
-                                               std::string* error) {
-  ScanFolderQuery query;
-  query.candidates = {".", "Radar/Continental", "Continental"};
-  // Each sensor comes as an archive of its own, which users unpack into folders of their own.
-  query.name_below = "Continental";
-  if (!options.folder.empty()) {
-    query.candidates = {options.folder};
-    query.name_below.clear();
-  }
-  query.names_are_stamps = true;
-  std::optional<ScanFolder> folder = OpenScanFolder(path, query, error);
-  if (!folder) return nullptr;
-  auto reader = std::make_unique<RawFileReader>(LayoutOf("hercules29"));
-  return std::make_unique<PointFolderSource>(
-      *std::move(folder), std::move(reader), options, "HeRCULES Continental scans");
+  return OpenRawFiles(path,
+                      RawFolders(options, more_folders),
+                      std::make_unique<RawFileReader>(KnownLayout(options.layout)),
+                      options,
+                      "raw float32 scans (" + options.layout + ")",
+                      error);
 }
 
 }  // namespace radive

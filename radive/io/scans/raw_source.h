@@ -7,10 +7,12 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "radive/io/points/raw_layout.h"
 #include "radive/io/scans/input_options.h"
 #include "radive/io/scans/point_folder_source.h"
+#include "radive/io/scans/scan_folder.h"
 
 namespace radive {
 
@@ -31,33 +33,24 @@ class RawFileReader : public PointFileReader {
   FieldMatch match_;
 };
 
-// HeRCULES Aeva: records of 29 bytes, or of 25 in recordings up to the stamp
-// 1691936557946849179 ns. What the size of a file divides by decides, the stamp where it divides by
-// both or neither.
-class AevaFileReader : public PointFileReader {
- public:
-  AevaFileReader();
-  bool Read(std::string_view bytes,
-            std::int64_t stamp_ns,
-            PointTable* table,
-            std::vector<std::string>* remarks,
-            std::string* error) override;
+// Where raw scans are looked for: in options.folder, or in the usual folders and in `more_folders`.
+ScanFolderQuery RawFolders(const InputOptions& options,
+                           const std::vector<std::string>& more_folders);
 
- private:
-  RawFileReader reader29_;
-  RawFileReader reader25_;
-};
+// The scans that `query` finds at `path`, read by `reader`; `description` for reports. Null, with
+// the place and the expectation in `error`, when there are none.
+std::unique_ptr<ScanSource> OpenRawFiles(const std::filesystem::path& path,
+                                         const ScanFolderQuery& query,
+                                         std::unique_ptr<PointFileReader> reader,
+                                         const InputOptions& options,
+                                         const std::string& description,
+                                         std::string* error);
 
 // A folder with one raw file a scan, columns by input.layout; positions FLU [m]. `options` must be
 // valid. Null, with the place and the expectation in `error`, when `path` holds no scans.
 std::unique_ptr<ScanSource> OpenRawSource(const std::filesystem::path& path,
                                           const InputOptions& options,
-                                          std::string* error);
-
-// Continental ARS548 scans of HeRCULES: <stamp in ns>.bin with layout hercules29, in
-// Radar/Continental or in any folder called Continental.
-std::unique_ptr<ScanSource> OpenHerculesSource(const std::filesystem::path& path,
-                                               const InputOptions& options,
-                                               std::string* error);
+                                          std::string* error,
+                                          const std::vector<std::string>& more_folders = {});
 
 }  // namespace radive

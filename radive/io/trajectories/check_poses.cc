@@ -183,7 +183,7 @@ bool HasDecimalCommas(std::string_view line, std::string* problem) {
     begin = line.find_first_not_of(kBetweenWords, end);
   }
   constexpr std::size_t kFewestWords = 3;
-  if (num_words < kFewestWords || 2 * num_commas <= num_words) return false;
+  if (num_words < kFewestWords || 2 * num_commas < num_words) return false;
   *problem = "expected numbers with a decimal point, found " + Quoted(first);
   return true;
 }

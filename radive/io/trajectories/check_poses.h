@@ -19,8 +19,9 @@ bool CheckPose(const RecordedPose& pose, std::string* problem);
 // Calls it for all poses; `error` begins with "PLACE: pose NUMBER: ", numbers count from 1.
 bool CheckPoses(const RecordedTrajectory& poses, const std::string& place, std::string* error);
 
-// Finds numbers with a decimal comma: most words of the line, which blanks or semicolons separate,
-// look like 27,516 and none has a point. True, with the first of them in `problem`.
+// Finds numbers with a decimal comma: at least half of the words of the line, which blanks or
+// semicolons separate, look like 27,516 and none has a point. True, with the first of them in
+// `problem`.
 bool HasDecimalCommas(std::string_view line, std::string* problem);
 
 // What is odd about the poses of `place`, each doubt a line, with how many poses it concerns:

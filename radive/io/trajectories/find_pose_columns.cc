@@ -5,12 +5,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "radive/io/bytes/text_lines.h"
+#include "radive/io/trajectories/check_poses.h"
 #include "radive/io/trajectories/pose_names.h"
 #include "radive/io/trajectories/pose_text.h"
 
@@ -38,26 +38,10 @@ struct Table {
   std::size_t width = 0;                  // of each row; 0: they differ
 };
 
-bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-// "1700000000,25 1,5 -0,3": commas within words, not behind them.
-bool HasCommasWithinWords(std::string_view line) {
-  std::size_t num_words = 0, num_commas = 0;
-  for (std::string_view word = TakeWord(&line); !word.empty(); word = TakeWord(&line)) {
-    ++num_words;
-    const std::size_t comma = word.find(',');
-    if (comma == std::string_view::npos) continue;
-    const bool is_decimal = comma > 0 && comma + 1 < word.size() && IsDigit(word[comma - 1]) &&
-                            IsDigit(word[comma + 1]) && word.find(',', comma + 1) == word.npos;
-    if (!is_decimal) return false;
-    ++num_commas;
-  }
-  return num_words >= 7 && 2 * num_commas >= num_words;
-}
-
 char DelimiterOf(std::string_view line) {
   if (line.find(';') != std::string_view::npos) return ';';
-  return HasCommasWithinWords(line) ? ' ' : '\0';
+  std::string ignored;
+  return HasDecimalCommas(line, &ignored) ? ' ' : '\0';
 }
 
 Table ReadTable(std::string_view text) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -20,20 +19,7 @@
 namespace radive {
 namespace {
 
-using Names = std::vector<std::string_view>;
 using Words = std::vector<std::string>;
-
-// Position of the first column that has one of these names; -1: there is none.
-int Find(const Names& columns, std::initializer_list<std::string_view> names) {
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string column = LowerCase(columns[i]);
-    // Units may follow in brackets, and a '#' stand in front.
-    const std::string_view word = std::string_view(column).substr(column[0] == '#' ? 1 : 0);
-    const std::string_view name = word.substr(0, word.find_first_of("[("));
-    if (std::find(names.begin(), names.end(), name) != names.end()) return static_cast<int>(i);
-  }
-  return -1;
-}
 
 bool IsThere(int column) { return column >= 0; }
 
@@ -114,35 +100,6 @@ bool IsContent(std::string_view line) {
 }
 
 }  // namespace
-
-std::optional<PoseColumns> RadarScenesColumns(std::string_view names) {
-  const Names words = SplitColumns(names);
-  PoseColumns columns;
-  columns.has_names = true;
-  columns.stamp = Find(words, {"timestamp_odom"});
-  columns.position = {Find(words, {"x"}), Find(words, {"y"}), -1};
-  columns.angles = {-1, -1, Find(words, {"yaw"})};
-  if (NeededColumns(columns).size() != 4) return std::nullopt;
-  return columns;
-}
-
-PoseColumns BoreasColumns() {
-  PoseColumns columns;
-  columns.has_names = true;
-  columns.stamp = 0;
-  columns.stamp_exponent = -6;
-  columns.position = {1, 2, 3};
-  columns.angles = {7, 8, 9};
-  columns.angles_are_passive = true;
-  return columns;
-}
-
-PoseColumns ColoRadarColumns() {
-  PoseColumns columns;
-  columns.position = {0, 1, 2};
-  columns.quaternion = {3, 4, 5, 6};
-  return columns;
-}
 
 std::vector<std::string> SplitPoseLine(std::string_view line, char delimiter) {
   std::vector<std::string> words;

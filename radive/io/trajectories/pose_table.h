@@ -39,16 +39,6 @@ struct PoseColumns {
   bool has_names = false;
 };
 
-// Ground truth of RadarScenes in the tables radarK_scans.csv: timestamp_odom, x, y and yaw, pose of
-// the car (origin at the rear axle). Nothing when the line of names lacks one of them.
-std::optional<PoseColumns> RadarScenesColumns(std::string_view names);
-
-// Boreas, applanix/*_poses.csv: t [us], x y z in ENU, three velocities, roll, pitch, yaw and more.
-PoseColumns BoreasColumns();
-
-// ColoRadar, groundtruth_poses.txt: x y z qx qy qz qw, without stamps.
-PoseColumns ColoRadarColumns();
-
 // The columns of a line as `delimiter` of PoseColumns says, decimal commas made points.
 std::vector<std::string> SplitPoseLine(std::string_view line, char delimiter);
 

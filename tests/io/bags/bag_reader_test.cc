@@ -20,9 +20,9 @@
 #include "radive/io/bags/ros1_bag_reader.h"
 #include "radive/io/bags/rosbag2_folder.h"
 #include "radive/io/bags/sqlite_bag_reader.h"
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/compression.h"
 #include "radive/io/bytes/record_file.h"
-#include "radive/io/points/point_table.h"
 #include "tests/io/bags/bag_files.h"
 #include "tests/scratch_folder.h"
 
@@ -305,6 +305,72 @@ TEST(McapReader, MessagesMayLieOutsideOfChunks) {
   const auto messages = ReadMessages(reader.get());
   EXPECT_THAT(Times(messages), ElementsAre(4, 9));
   EXPECT_EQ(messages[1].payload, "nine");
+}
+
+// A whole file of two messages without chunks, whose summary counts `counted` of them.
+std::string UnchunkedFile(std::uint64_t counted) {
+  const auto sized = [](const std::string& text) {
+    return LittleEndian(static_cast<std::uint32_t>(text.size())) + text;
+  };
+  const auto record = [](char opcode, const std::string& data) {
+    return opcode + LittleEndian(static_cast<std::uint64_t>(data.size())) + data;
+  };
+  const auto message = [&](std::uint64_t time, const std::string& data) {
+    return record(5,
+                  LittleEndian(std::uint16_t{2}) + LittleEndian(std::uint32_t{0}) +
+                      LittleEndian(time) + LittleEndian(time) + data);
+  };
+  const std::string magic("\x89MCAP0\r\n", 8);
+  const std::string definitions =
+      record(3, LittleEndian(std::uint16_t{5}) + sized("T") + sized("") + sized("")) +
+      record(4,
+             LittleEndian(std::uint16_t{2}) + LittleEndian(std::uint16_t{5}) + sized("/a") +
+                 sized("cdr") + sized(""));
+  // Counts of schemas, channels, attachments, metadata and chunks; first and last time; the
+  // messages of each channel.
+  const std::string statistics =
+      record(11,
+             LittleEndian(counted) + LittleEndian(std::uint16_t{1}) +
+                 LittleEndian(std::uint32_t{1}) + std::string(12, '\0') + std::string(16, '\0') +
+                 sized(LittleEndian(std::uint16_t{2}) + LittleEndian(counted)));
+  const std::string data = magic + record(0x01, sized("") + sized("")) + definitions +
+                           message(4, "four") + message(9, "nine") +
+                           record(15, std::string(4, '\0'));
+  return data + definitions + statistics +
+         record(2, LittleEndian(static_cast<std::uint64_t>(data.size())) + std::string(12, '\0')) +
+         magic;
+}
+
+// Not to be taken for a file without its index.
+TEST(McapReader, AFileWithoutChunksIsSound) {
+  std::string error;
+  auto reader =
+      McapReader::Open(std::make_unique<MemoryFile>("a.mcap", UnchunkedFile(2)), {}, &error);
+  ASSERT_NE(reader, nullptr) << error;
+  EXPECT_EQ(reader->Description(), "MCAP file a.mcap (without chunks)");
+  EXPECT_THAT(Times(ReadMessages(reader.get())), ElementsAre(4, 9));
+  EXPECT_THAT(reader->TakeWarnings(), ::testing::IsEmpty());
+  reader = McapReader::Open(std::make_unique<MemoryFile>("a.mcap", UnchunkedFile(3)), {}, &error);
+  ASSERT_NE(reader, nullptr) << error;
+  EXPECT_THAT(reader->TakeWarnings(),
+              ElementsAre(HasSubstr("the summary counts 3 messages, the file holds 2")));
+}
+
+TEST(McapReader, AnUnknownCompressionIsNamed) {
+  const ScratchFolder folder;
+  for (const bool index : {true, false}) {
+    const std::filesystem::path path = folder.path() / "a.mcap";
+    WriteTimes(path, {"a.mcap", BagFormat::kMcap, Compression::kLz4, index}, {10, 20, 30});
+    std::string bytes = testing::ReadFile(path);
+    const std::string name("\3\0\0\0lz4", 7);
+    for (std::size_t at = 0; (at = bytes.find(name, at)) != std::string::npos; ++at) {
+      bytes.replace(at + 4, 3, "xyz");
+    }
+    WriteText(path, bytes);
+    EXPECT_THAT(
+        ErrorOf(path, BagFormat::kMcap),
+        AllOf(HasSubstr("a.mcap"), HasSubstr("compression 'xyz', expected none, lz4 or zstd")));
+  }
 }
 
 void RunSql(const std::filesystem::path& path, const std::string& sql) {

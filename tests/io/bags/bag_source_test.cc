@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "radive/io/bytes/byte_order.h"
 #include "tests/io/bags/bag_files.h"
 #include "tests/io/scan_files.h"
 

@@ -10,7 +10,7 @@
 
 #include "radive/io/bags/open_message_source.h"
 #include "radive/io/bags/ros1_bag_writer.h"
-#include "radive/io/points/point_table.h"
+#include "radive/io/bytes/byte_order.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -93,6 +93,30 @@ class FixesInABag : public ::testing::Test {
   }
   const testing::TempFolder folder_;
 };
+
+// Payloads whose header says 0 s; the bag recorded them at 0, 1 and 2 ns.
+TEST_F(FixesInABag, PosesWithoutStampsHaveTheTimesOfRecording) {
+  const auto pose = [](std::uint32_t nanoseconds, double x) {
+    return std::string(8, '\0') + LittleEndian(nanoseconds) + LittleEndian<std::uint32_t>(3) +
+           "map" + Doubles({x, 0, 0, 0, 0, 0, 1});
+  };
+  Write("geometry_msgs/PoseStamped", {pose(0, 5), pose(0, 6), pose(0, 7)});
+  std::string error;
+  const auto trajectory = Read("", &error);
+  ASSERT_TRUE(trajectory) << error;
+  ASSERT_EQ(trajectory->poses.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(trajectory->poses[i].stamp_ns, static_cast<std::int64_t>(i));
+    EXPECT_EQ(trajectory->poses[i].T_world_body.translation.x(), 5.0 + static_cast<double>(i));
+  }
+  EXPECT_THAT(trajectory->description, HasSubstr("by the times of recording, for the headers"));
+  // Stamps that are there stay.
+  Write("geometry_msgs/PoseStamped", {pose(500, 5), pose(700, 6), pose(900, 7)});
+  const auto stamped = Read("", &error);
+  ASSERT_TRUE(stamped) << error;
+  EXPECT_EQ(stamped->poses[2].stamp_ns, 900);
+  EXPECT_THAT(stamped->description, ::testing::Not(HasSubstr("times of recording")));
+}
 
 // At the equator a degree of latitude is 110,574.3 m of meridian, and one of longitude 111,319.5 m;
 // the places are taken as points of a plane, the chord of which is a little shorter.

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "radive/io/bags/point_cloud_encoding.h"
+#include "radive/io/bytes/byte_order.h"
 #include "radive/io/scans/point_converter.h"
 
 namespace radive {

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <glog/logging.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "radive/io/scans/raw_source.h"
+#include "radive/io/datasets/dataset.h"
 #include "tests/io/scan_files.h"
 
 namespace radive {
@@ -25,15 +26,22 @@ std::string Record(double x, double y, double z, double v, double r, int rcs) {
   return Floats({x, y, z, v, r}) + static_cast<char>(rcs) + Floats({0.0, 0.0});
 }
 
+const Dataset& HerculesRow() {
+  for (const Dataset& dataset : Datasets()) {
+    if (dataset.name == "HeRCULES") return dataset;
+  }
+  LOG(FATAL) << "there is no HeRCULES";
+}
+
 class HerculesSourceTest : public ::testing::Test {
  protected:
   std::unique_ptr<ScanSource> Open() {
-    auto source = OpenHerculesSource(folder_.path(), options_, &error_);
+    auto source = HerculesRow().sensors[0].open(folder_.path(), options_, &error_);
     EXPECT_NE(source, nullptr) << error_;
     return source;
   }
   std::string OpenError() {
-    EXPECT_EQ(OpenHerculesSource(folder_.path(), options_, &error_), nullptr);
+    EXPECT_EQ(HerculesRow().sensors[0].open(folder_.path(), options_, &error_), nullptr);
     return error_;
   }
   void WriteScan(const std::string& stem, const std::string& content) {
@@ -112,6 +120,31 @@ TEST_F(HerculesSourceTest, NamesMustBeStamps) {
   EXPECT_THAT(OpenError(), AllOf(HasSubstr("000012.bin"), HasSubstr("19 digits")));
   folder_.Write("times.txt", "1693922345.123456789\n");
   EXPECT_THAT(testing::Stamps(ReadAll(Open().get())), ElementsAre(1693922345123456789));
+}
+
+// x y z reflectivity velocity, time as int32, line as uint8, and in the longer form intensity.
+TEST_F(HerculesSourceTest, AevaRecordsHaveTwoSizes) {
+  const std::string start = Floats({20, 1, 0.5, 30, -10}) + std::string("\x01\x00\x00\x00\x07", 5);
+  const std::string longer = start + Floats({55});
+  const std::string early = "1691936557946849179";
+  const std::string late = "1691936557946849180";
+  // 25 * 29 bytes are both: the stamp decides.
+  std::string both;
+  for (int i = 0; i < 29; ++i) both += start;
+  folder_.Write("LiDAR/Aeva/" + early + ".bin", both);
+  folder_.Write("LiDAR/Aeva/" + late + ".bin", longer + longer);
+  options_.layout = "aeva";
+  const auto source = HerculesRow().sensors[1].open(folder_.path(), options_, &error_);
+  ASSERT_NE(source, nullptr) << error_;
+  const auto scans = ReadAll(source.get());
+  ASSERT_EQ(scans[0].returns.size(), 29u);
+  EXPECT_EQ(scans[0].returns[28].doppler, -10.0);
+  EXPECT_EQ(scans[0].returns[28].power, 30.0);  // no intensity: the reflectivity
+  ASSERT_EQ(scans[1].returns.size(), 2u);
+  EXPECT_EQ(scans[1].returns[1].position, Eigen::Vector3d(20.0, 1.0, 0.5));
+  EXPECT_EQ(scans[1].returns[1].doppler, -10.0);
+  EXPECT_EQ(scans[1].returns[1].power, 55.0);
+  EXPECT_TRUE(source->TakeWarnings().empty());
 }
 
 }  // namespace

@@ -72,16 +72,20 @@ TEST_F(AllRadars, OfRadarScenesHaveTheirOwnNumbers) {
 
 // Its records: 29 bytes each, and different ones.
 TEST_F(AllRadars, OfHerculesAreTheContinentalAndTheAeva) {
-  folder_.Write("Radar/Continental/1700000000000000000.bin", HerculesBytes(ReturnsAt(10)));
-  folder_.Write("Radar/Continental/1700000000100000000.bin", HerculesBytes(ReturnsAt(11)));
+  folder_.Write("Radar/Continental/1700000000000000000.bin",
+                RecordBytes(ReturnsAt(10), KnownLayout("hercules29")));
+  folder_.Write("Radar/Continental/1700000000100000000.bin",
+                RecordBytes(ReturnsAt(11), KnownLayout("hercules29")));
   const std::string record = Floats({30, 1, 0, 0.5, -2}) + std::string(9, '\0');
   folder_.Write("LiDAR/Aeva/1700000000050000000.bin", record + record);
   EXPECT_THAT(Read(), ElementsAre(Pair(1, 10.0), Pair(2, 30.0), Pair(1, 11.0)));
 }
 
 TEST_F(AllRadars, OfSnailAreTheArs548AndTheEagle) {
-  folder_.Write("ars548/points/1700000000.000000000.pcd", SnailPcdBytes(ReturnsAt(10)));
-  folder_.Write("ars548/points/1700000000.200000000.pcd", SnailPcdBytes(ReturnsAt(11)));
+  folder_.Write("ars548/points/1700000000.000000000.pcd",
+                PcdBytes(ReturnsAt(10), PcdEncoding::kBinary));
+  folder_.Write("ars548/points/1700000000.200000000.pcd",
+                PcdBytes(ReturnsAt(11), PcdEncoding::kBinary));
   folder_.Write("eagleg7/enhanced/1700000000.100000000.pcd",
                 PcdBytes(ReturnsAt(30), PcdEncoding::kBinary));
   EXPECT_THAT(Read(), ElementsAre(Pair(1, 10.0), Pair(2, 30.0), Pair(1, 11.0)));

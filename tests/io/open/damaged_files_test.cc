@@ -171,7 +171,7 @@ TEST(DamagedFiles, Csv) {
 TEST(DamagedFiles, Npy) {
   const std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 5), }\n";
   const std::string bytes = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(header.size()) +
-                            '\0' + header + RawBytes(Returns());
+                            '\0' + header + RecordBytes(Returns(), KnownLayout("xyzdp5"));
   ReadDamagedFiles("0.npy", bytes, InputOptions::Format::kNpy, 11);
 }
 

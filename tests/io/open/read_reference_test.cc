@@ -12,6 +12,7 @@
 namespace radive {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ReferenceFormat = ReferenceOptions::Format;
 
@@ -126,7 +127,9 @@ TEST_F(ReadReferenceOf, TheRadarsOfRadarScenesTogether) {
 }
 
 TEST_F(ReadReferenceOf, SaysWhatWasLookedForAndWhatIsAmbiguous) {
-  EXPECT_THAT(ErrorOf(folder_.path()), HasSubstr("no ground truth found; looked for pose/*.json"));
+  EXPECT_THAT(ErrorOf(folder_.path()),
+              AllOf(HasSubstr("no ground truth found; looked for "),
+                    HasSubstr("pose/*.json (View-of-Delft)")));
   EXPECT_THAT(ErrorOf(folder_.path() / "absent"), HasSubstr("absent: cannot be opened"));
   folder_.Write("PR_GT/Continental_gt.txt", "0 1 2 3 0 0 0 1\n");
   folder_.Write("PR_GT/Aeva_gt.txt", "0 1 2 3 0 0 0 1\n");

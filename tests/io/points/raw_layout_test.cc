@@ -101,11 +101,11 @@ TEST(InputOptions, NameTheFieldThatIsWrong) {
   EXPECT_FALSE(options.IsValid(&error));
   EXPECT_THAT(error, HasSubstr("input.layout 'x,y,dopler'"));
 
-  for (const char* radar : {"", "0", "-1", "2.5", "front", "All"}) {
+  for (const char* radar : {"0", "-1", "2.5", "front", "All"}) {
     options = InputOptions();
     options.radar = radar;
     EXPECT_FALSE(options.IsValid(&error)) << radar;
-    EXPECT_THAT(error, HasSubstr("input.radar must be a number from 1, or all, is '"));
+    EXPECT_THAT(error, HasSubstr("input.radar must be a number from 1, all or empty, is '"));
   }
 
   options = InputOptions();

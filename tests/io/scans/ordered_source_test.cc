@@ -31,6 +31,7 @@ class Stored : public ScanSource {
     scan->place = "scan " + std::to_string(next_);
     scan->returns.clear();
     ++next_;
+    num_read = static_cast<int>(next_);
     return Status::kScan;
   }
   Status Next(RadarScan* scan) override {
@@ -45,7 +46,17 @@ class Stored : public ScanSource {
   std::string Description() const override { return "scans"; }
   std::optional<int> NumScans() const override { return static_cast<int>(stamps_.size()); }
 
+  SourceFacts Facts() const override {
+    SourceFacts facts;
+    for (const int stamp : stamps_) {
+      if (knows_stamps) facts.stamps_ns.push_back(100'000'000LL * stamp);
+    }
+    return facts;
+  }
+
   bool fails_at_end = false;
+  bool knows_stamps = false;
+  int num_read = 0;
 
  private:
   const std::vector<int> stamps_, records_;
@@ -131,6 +142,36 @@ TEST(OrderedSource, SkipsInTheOrderOfTheStamps) {
   EXPECT_EQ(scan.returns.size(), 19u);
   EXPECT_EQ(source.Skip(9), ScanSource::Status::kScan);
   EXPECT_EQ(source.Skip(1), ScanSource::Status::kEnd);
+}
+
+// A folder knows its stamps: the same comes out, but a scan is read when it is its turn.
+TEST(OrderedSource, KnownStampsNeedNoReadingAhead) {
+  std::vector<int> odd = Numbers(100, 140);
+  std::swap(odd[5], odd[8]);
+  odd[20] = 0;
+  for (std::size_t i = 30; i < 40; ++i) odd[i] -= 50;
+  for (const std::vector<int>& stamps : {Numbers(0, 20), odd, {0, 1, 3, 2, 4}, {7}}) {
+    OrderedSource ahead(std::make_unique<Stored>(stamps));
+    auto stored = std::make_unique<Stored>(stamps);
+    stored->knows_stamps = true;
+    OrderedSource known(std::move(stored));
+    const Given expected = ReadAll(&ahead), given = ReadAll(&known);
+    EXPECT_EQ(given.stamps, expected.stamps);
+    EXPECT_EQ(given.indices, expected.indices);
+    EXPECT_EQ(known.TakeWarnings(), ahead.TakeWarnings());
+  }
+  auto stored = std::make_unique<Stored>(std::vector<int>{0, 1, 3, 4, 2, 5, 6});
+  stored->knows_stamps = true;
+  stored->fails_at_end = true;
+  const Stored* const inner = stored.get();
+  OrderedSource source(std::move(stored));
+  RadarScan scan;
+  for (const int num_read : {1, 2, 5, 5, 5, 6, 7}) {
+    ASSERT_EQ(source.Next(&scan), ScanSource::Status::kScan);
+    EXPECT_EQ(inner->num_read, num_read) << scan.place;
+  }
+  EXPECT_EQ(source.Next(&scan), ScanSource::Status::kError);
+  EXPECT_EQ(source.error(), "FILE: broken");
 }
 
 TEST(OrderedSource, GivesWhatWasReadBeforeAnError) {

@@ -199,30 +199,6 @@ TEST_F(RawSourceTest, OneFileIsADriveOfOneScan) {
   EXPECT_EQ(scans[0].stamp_ns, 1693922345123456789);
 }
 
-// x y z reflectivity velocity, time as int32, line as uint8, and in the longer form intensity.
-TEST_F(RawSourceTest, AevaRecordsHaveTwoSizes) {
-  const std::string start = Floats({20, 1, 0.5, 30, -10}) + std::string("\x01\x00\x00\x00\x07", 5);
-  const std::string longer = start + Floats({55});
-  const std::string early = "1691936557946849179";
-  const std::string late = "1691936557946849180";
-  // 25 * 29 bytes are both: the stamp decides.
-  std::string both;
-  for (int i = 0; i < 29; ++i) both += start;
-  folder_.Write(early + ".bin", both);
-  folder_.Write(late + ".bin", longer + longer);
-  options_.layout = "aeva";
-  const auto source = Open();
-  const auto scans = ReadAll(source.get());
-  ASSERT_EQ(scans[0].returns.size(), 29u);
-  EXPECT_EQ(scans[0].returns[28].doppler, -10.0);
-  EXPECT_EQ(scans[0].returns[28].power, 30.0);  // no intensity: the reflectivity
-  ASSERT_EQ(scans[1].returns.size(), 2u);
-  EXPECT_EQ(scans[1].returns[1].position, Eigen::Vector3d(20.0, 1.0, 0.5));
-  EXPECT_EQ(scans[1].returns[1].doppler, -10.0);
-  EXPECT_EQ(scans[1].returns[1].power, 55.0);
-  EXPECT_TRUE(source->TakeWarnings().empty());
-}
-
 // What the documentation of each dataset says of its columns: x is 20, the Doppler -10, power 30.
 TEST_F(RawSourceTest, PicksTheColumnsOfEachDataset) {
   const std::pair<const char*, std::string> cases[] = {

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "radive/io/datasets/dataset.h"
 #include "radive/io/trajectories/find_pose_columns.h"
 
 namespace radive {
@@ -29,9 +30,17 @@ std::string ErrorOf(const std::string& text, const PoseColumns& columns) {
   return error;
 }
 
+// Of the ground truth of a dataset.
+std::optional<PoseColumns> ColumnsOf(const std::string& name, const std::string& names = "") {
+  for (const Dataset& dataset : Datasets()) {
+    if (dataset.name == name) return dataset.truth.columns(names);
+  }
+  return std::nullopt;
+}
+
 TEST(PoseTable, ReadsTheCarOfRadarScenesByTheNamesOfTheColumns) {
   const std::string names = "scan,timestamp_rad,yaw,x,timestamp_odom,y";
-  const auto columns = RadarScenesColumns(names);
+  const auto columns = ColumnsOf("RadarScenes", names);
   ASSERT_TRUE(columns);
   const RecordedTrajectory poses =
       Parse(names + "\n1,0.5,1.5707963267948966,10,0.070027,20\n", *columns);
@@ -40,7 +49,7 @@ TEST(PoseTable, ReadsTheCarOfRadarScenesByTheNamesOfTheColumns) {
   EXPECT_EQ(poses[0].T_world_body.translation, Eigen::Vector3d(10, 20, 0));
   // A quarter turn to the left: forward is the world's y.
   EXPECT_NEAR(poses[0].T_world_body.rotation(1, 0), 1.0, 1e-15);
-  EXPECT_FALSE(RadarScenesColumns("scan,timestamp_rad,x,y"));
+  EXPECT_FALSE(ColumnsOf("RadarScenes", "scan,timestamp_rad,x,y"));
 }
 
 // As pyboreas turns them: looking along x with a yaw of 90 degrees is looking along -y.
@@ -49,7 +58,7 @@ TEST(PoseTable, ReadsBoreasWithMicrosecondsAndPassiveAngles) {
       "GPSTime,easting,northing,altitude,a,b,c,roll,pitch,heading,d,e,f\n"
       "1606417097528152,1,2,3,0,0,0,0,0,1.5707963267948966,0,0,0\n"
       "1606417097628152,1,2,3,0,0,0,1.5707963267948966,0,0,0,0,0\n",
-      BoreasColumns());
+      *ColumnsOf("Boreas"));
   ASSERT_EQ(poses.size(), 2u);
   EXPECT_EQ(poses[0].stamp_ns, 1606417097528152000);
   EXPECT_NEAR(poses[0].stamp_s, 1606417097.528152, 1e-6);
@@ -60,7 +69,7 @@ TEST(PoseTable, ReadsBoreasWithMicrosecondsAndPassiveAngles) {
 }
 
 TEST(PoseTable, ReadsColoRadarWithoutStamps) {
-  const RecordedTrajectory poses = Parse("1 2 3 0 0 1 0\n", ColoRadarColumns());
+  const RecordedTrajectory poses = Parse("1 2 3 0 0 1 0\n", *ColumnsOf("ColoRadar"));
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_EQ(poses[0].T_world_body.translation, Eigen::Vector3d(1, 2, 3));
   EXPECT_NEAR(poses[0].T_world_body.rotation(0, 0), -1.0, 1e-15);  // half a turn about z
@@ -101,11 +110,11 @@ TEST(PoseTable, FindsTheQuaternionByItsLength) {
 }
 
 TEST(PoseTable, NamesLineAndExpectation) {
-  EXPECT_THAT(ErrorOf("# names\n1 2 3 0 0 1\n", ColoRadarColumns()),
+  EXPECT_THAT(ErrorOf("# names\n1 2 3 0 0 1\n", *ColumnsOf("ColoRadar")),
               HasSubstr("table:2: expected at least 7 columns, found 6"));
-  EXPECT_THAT(ErrorOf("1 2 nan 0 0 1 0\n", ColoRadarColumns()),
+  EXPECT_THAT(ErrorOf("1 2 nan 0 0 1 0\n", *ColumnsOf("ColoRadar")),
               HasSubstr("table:1: expected a finite number in column 3, found 'nan'"));
-  EXPECT_THAT(ErrorOf("\n", ColoRadarColumns()), HasSubstr("holds no poses"));
+  EXPECT_THAT(ErrorOf("\n", *ColumnsOf("ColoRadar")), HasSubstr("holds no poses"));
 }
 
 }  // namespace

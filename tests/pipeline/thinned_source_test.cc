@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "radive/io/scans/thinned_source.h"
+#include "radive/pipeline/thinned_source.h"
 
 #include <gtest/gtest.h>
 
