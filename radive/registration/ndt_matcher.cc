@@ -26,9 +26,7 @@ class NdtMatch : public ScanMatch {
     // Ceres asks for a mutable pointer and only evaluates.
     problem->AddResidualBlock(const_cast<CondensedNdtCost*>(&cost_), nullptr, pose);
   }
-  NdtQuadratic Quadratic(const double* pose) const override {
-    return cost_.Quadratic(pose, /*with_scatter=*/true);
-  }
+  NdtQuadratic Quadratic(const double* pose) const override { return cost_.Quadratic(pose); }
   double offset() const override { return cost_.offset(); }
   int num_pairs() const override { return static_cast<int>(pairs_.size()); }
 
