@@ -49,13 +49,20 @@ inline Pack Sqrt(Pack pack) {
 #endif
 }
 
+// To the nearest whole number, of less than 2^51 in size: adding 1.5 * 2^52 leaves no bits for a
+// fraction.
+inline Pack RoundSmall(Pack pack) {
+  const Pack shift = All(6755399441055744.0);
+  return (pack + shift) - shift;
+}
+
 inline double Sum(Pack pack) { return (pack[0] + pack[2]) + (pack[1] + pack[3]); }
 
 // exp(x) for -700 < x < 700: with n = round(x / log 2) and r = x - n log 2, |r| <= 0.347, it is
 // 2^n times the Taylor polynomial of exp(r) of degree 11, which leaves out less than 0.347^12 / 12!
 // = 7e-15. Numbers beyond give nonsense, but no trap.
 inline Pack Exp(Pack x) {
-  // Adding 1.5 * 2^52 leaves no bits for a fraction: the sum ends in the integer n.
+  // As in RoundSmall(); the sum ends in the bits of the whole number n.
   const Pack shift = All(6755399441055744.0);
   const Pack shifted = x * 1.4426950408889634 + shift;
   const Pack n = shifted - shift;
