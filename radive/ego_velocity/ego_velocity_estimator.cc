@@ -3,7 +3,6 @@
 
 #include "radive/ego_velocity/ego_velocity_estimator.h"
 
-#include <ceres/problem.h>
 #include <glog/logging.h>
 
 #include <Eigen/Core>
@@ -17,7 +16,7 @@
 #include "radive/geometry/small_matrix.h"
 #include "radive/kernels/kernels.h"
 #include "radive/preprocessing/occlusion_counts.h"
-#include "radive/solver/solve.h"
+#include "radive/solver/solve_small.h"
 #include "radive/util/number_text.h"
 #include "radive/util/random.h"
 
@@ -48,6 +47,17 @@ Eigen::Matrix<double, kSize, kSize> Symmetric(const double* upper) {
   return full;
 }
 
+// The terms of the least squares.
+struct DopplerAndRidge {
+  CondensedDopplerFactor doppler;  // 4 residuals
+  DopplerFactor ridge;             // 1
+
+  template <typename T>
+  bool operator()(const T* const v_radar, T* residuals) const {
+    return doppler(v_radar, residuals) && ridge(v_radar, residuals + 4);
+  }
+};
+
 // Largest Doppler residual of a return that can hide others [m/s].
 constexpr double kHidingGate = 0.5;
 
@@ -77,9 +87,6 @@ EgoVelocityEstimator::EgoVelocityEstimator(const EgoVelocityOptions& options,
   std::string error;
   CHECK(options_.IsValid(&error)) << error;
   CHECK(sensor_.IsValid(&error)) << error;
-  // The problem is linear: one undamped step solves it.
-  solver_options_.initial_trust_region_radius = 1e16;
-  solver_options_.max_iterations = 5;
 }
 
 EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& returns,
@@ -245,17 +252,11 @@ Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerSums& sums,
                                                    const Eigen::Vector3d& v_start,
                                                    double vertical_ridge) const {
   const double variance = sensor_.sigma_doppler * sensor_.sigma_doppler;
-  const CondensedDopplerFactor::Sum sum(Symmetric<4>(sums.equations) / variance);
-  Eigen::Vector3d v_radar = v_start;
-  ceres::Problem problem;
-  problem.AddResidualBlock(CondensedDopplerFactor::Create(sum), nullptr, v_radar.data());
   const double ridge_returns = vertical_ridge * sums.weights;
-  problem.AddResidualBlock(
-      DopplerFactor::Create(up_radar, 0.0, sensor_.sigma_doppler / std::sqrt(ridge_returns)),
-      nullptr,
-      v_radar.data());
-  Solve(solver_options_, &problem);
-  return v_radar;
+  const DopplerAndRidge residuals = {
+      CondensedDopplerFactor(CondensedDopplerFactor::Sum(Symmetric<4>(sums.equations) / variance)),
+      DopplerFactor(up_radar, 0.0, sensor_.sigma_doppler / std::sqrt(ridge_returns))};
+  return SolveSmallLinear<5, 3>(residuals, v_start);
 }
 
 // Covariance of the gated least squares as an M-estimator, whatever the distribution of the noise

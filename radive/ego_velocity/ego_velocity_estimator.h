@@ -15,7 +15,6 @@
 #include "radive/preprocessing/occlusion_options.h"
 #include "radive/sensor/radar_scan.h"
 #include "radive/sensor/sensor_options.h"
-#include "radive/solver/solver_options.h"
 
 namespace radive {
 
@@ -92,7 +91,6 @@ class EgoVelocityEstimator {
   const OcclusionOptions occlusion_;
   const Eigen::Vector3d up_radar_;       // of the vehicle, unit
   const Eigen::Vector3d forward_radar_;  // of the vehicle, unit
-  SolverOptions solver_options_;
   std::uint64_t num_scans_ = 0;
   std::optional<LastGood> last_good_;
 };

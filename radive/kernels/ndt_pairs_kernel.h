@@ -83,23 +83,21 @@ inline PackSums SumRows(const Lanes* row,
     if (Which(is_near) == 0) continue;
     Pack height = Load(row + 9);
     if constexpr (kDividesByDeterminant) height = height * Sqrt(inverse);
-    // Pairs out of reach may hold anything, also numbers that are none.
+    // Pairs out of reach may have any height, and rows without a pair a determinant of zero.
     const Pack p = Where(is_near, height * Exp(-0.5 * m));
     const Pack scale = Where(is_near, inverse);
-    const Pack qx = Where(is_near, ux * inverse);
-    const Pack qy = Where(is_near, uy * inverse);
-    const Pack qz = Where(is_near, uz * inverse);
-    const Pack pqx = p * qx, pqy = p * qy, pqz = p * qz, ps = p * scale;
+    const Pack ps = p * scale;  // q = scale u
+    const Pack pss = ps * scale, vx = pss * ux, vy = pss * uy, vz = pss * uz;
     sums.height += p;
-    sums.force.x += pqx;
-    sums.force.y += pqy;
-    sums.force.z += pqz;
-    sums.off_centre.xx += pqx * qx;
-    sums.off_centre.xy += pqx * qy;
-    sums.off_centre.xz += pqx * qz;
-    sums.off_centre.yy += pqy * qy;
-    sums.off_centre.yz += pqy * qz;
-    sums.off_centre.zz += pqz * qz;
+    sums.force.x += ps * ux;
+    sums.force.y += ps * uy;
+    sums.force.z += ps * uz;
+    sums.off_centre.xx += vx * ux;
+    sums.off_centre.xy += vx * uy;
+    sums.off_centre.xz += vx * uz;
+    sums.off_centre.yy += vy * uy;
+    sums.off_centre.yz += vy * uz;
+    sums.off_centre.zz += vz * uz;
     sums.stiffness.xx += ps * cxx;
     sums.stiffness.xy += ps * cxy;
     sums.stiffness.xz += ps * cxz;

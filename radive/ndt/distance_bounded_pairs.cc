@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 #include "radive/kernels/kernels.h"
@@ -50,7 +50,9 @@ std::vector<OptionField> PairOptions::Fields() {
 }
 
 double LargestEigenvalue(const Eigen::Matrix3d& m) {
-  if (m(0, 2) == 0.0 && m(1, 2) == 0.0) {  // planar sensors
+  // Planar sensors; what they have off the plane is rounding.
+  const double trace = m.trace();
+  if (m(0, 2) * m(0, 2) + m(1, 2) * m(1, 2) <= 1e-24 * trace * trace) {
     const double half_difference = 0.5 * (m(0, 0) - m(1, 1));
     const double root = std::sqrt(half_difference * half_difference + m(0, 1) * m(0, 1));
     return std::max(m(2, 2), 0.5 * (m(0, 0) + m(1, 1)) + root);
@@ -72,11 +74,12 @@ std::vector<double> LargestVariances(const std::vector<Gaussian3>& gaussians) {
 PairSearch::PairSearch(const std::vector<Gaussian3>& submap) { Update(submap, 0); }
 
 // Those of the submap from `begin` on, in the order of the rows.
-std::vector<PairSearch::Newcomer> PairSearch::Newcomers(std::size_t begin) const {
+std::vector<PairSearch::Newcomer> PairSearch::Newcomers(const std::vector<Gaussian3>& submap,
+                                                        std::size_t begin) {
   std::vector<Newcomer> newcomers;
-  newcomers.reserve(submap_->size() - begin);
-  for (std::size_t i = begin; i < submap_->size(); ++i) {
-    const Eigen::Vector3d& mean = (*submap_)[i].mean;
+  newcomers.reserve(submap.size() - begin);
+  for (std::size_t i = begin; i < submap.size(); ++i) {
+    const Eigen::Vector3d& mean = submap[i].mean;
     newcomers.push_back({StripOf(mean.x()), mean.y(), static_cast<int>(i)});
   }
   std::sort(newcomers.begin(), newcomers.end(), [](const Newcomer& a, const Newcomer& b) {
@@ -86,107 +89,147 @@ std::vector<PairSearch::Newcomer> PairSearch::Newcomers(std::size_t begin) const
   return newcomers;
 }
 
-void PairSearch::AppendRow(int index) {
-  const Gaussian3& gaussian = (*submap_)[static_cast<std::size_t>(index)];
+void PairSearch::Rows::SetRow(std::size_t row, const Gaussian3& gaussian, int index_in_submap) {
   const Eigen::Matrix3d& S = gaussian.covariance;
-  const double row[kNumFields] = {gaussian.mean.x(),
-                                  gaussian.mean.y(),
-                                  gaussian.mean.z(),
-                                  S(0, 0),
-                                  S(0, 1),
-                                  S(0, 2),
-                                  S(1, 1),
-                                  S(1, 2),
-                                  S(2, 2),
-                                  LargestEigenvalue(S)};
-  for (std::size_t i = 0; i < kNumFields; ++i) fields_[i].push_back(row[i]);
-  index_.push_back(index);
+  const double values[kNumFields] = {gaussian.mean.x(),
+                                     gaussian.mean.y(),
+                                     gaussian.mean.z(),
+                                     S(0, 0),
+                                     S(0, 1),
+                                     S(0, 2),
+                                     S(1, 1),
+                                     S(1, 2),
+                                     S(2, 2),
+                                     LargestEigenvalue(S)};
+  for (std::size_t i = 0; i < kNumFields; ++i) fields[i][row] = values[i];
+  index[row] = index_in_submap;
 }
 
 void PairSearch::Update(const std::vector<Gaussian3>& submap, std::size_t num_gone) {
-  submap_ = &submap;
-  const std::size_t num_old = index_.size() - (index_.empty() ? 0 : kNumSpareRows);
-  const std::vector<Newcomer> newcomers = Newcomers(num_old - num_gone);
-  // The newcomers' rows go behind the old ones; then all are copied in their order, run by run.
-  for (std::vector<double>& field : fields_) field.resize(num_old);
-  index_.resize(num_old);
-  for (int& index : index_) index -= static_cast<int>(num_gone);
-  for (const Newcomer& newcomer : newcomers) AppendRow(newcomer.index);
+  const std::vector<Newcomer> newcomers = Newcomers(submap, num_rows_ - num_gone);
+  const auto first_left = static_cast<int>(num_gone);
 
+  // Where the rows of those that stay go, in runs, and those of the newcomers.
   struct Run {
-    std::size_t begin, end;
+    std::size_t from, to, size;
   };
   std::vector<Run> runs;
+  std::vector<std::size_t> new_rows;
   std::vector<Strip> strips;
-  int num_rows = 0;
-  const auto append = [&](double strip, std::size_t row) {
-    if (runs.empty() || runs.back().end != row) runs.push_back({row, row});
-    ++runs.back().end;
-    if (strips.empty() || strips.back().number != strip) {
-      strips.push_back({strip, num_rows, num_rows});
-    }
-    strips.back().end = ++num_rows;
+  std::size_t to = 0;
+  const auto take_old = [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    runs.push_back({begin, to, end - begin});
+    to += end - begin;
   };
-  std::size_t next = 0;
-  const auto append_newcomers_before = [&](double strip, double y) {
-    for (; next < newcomers.size(); ++next) {
-      const Newcomer& newcomer = newcomers[next];
-      if (newcomer.strip > strip || (newcomer.strip == strip && newcomer.y >= y)) return;
-      append(newcomer.strip, num_old + next);
+  const auto next = [&]() {
+    return newcomers.begin() + static_cast<std::ptrdiff_t>(new_rows.size());
+  };
+  const auto take_strips_before = [&](double number) {
+    while (next() != newcomers.end() && next()->strip < number) {
+      if (strips.empty() || strips.back().number != next()->strip) {
+        strips.push_back({next()->strip, to, to});
+      }
+      new_rows.push_back(to++);
+      strips.back().end = to;
     }
   };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Strip& strip : strips_) {
-    for (auto row = static_cast<std::size_t>(strip.begin);
-         row < static_cast<std::size_t>(strip.end);
-         ++row) {
-      if (index_[row] < 0) continue;
-      append_newcomers_before(strip.number, fields_[1][row]);
-      append(strip.number, row);
+    take_strips_before(strip.number);
+    const std::size_t first = to;
+    const auto next_y = [&] {
+      return next() != newcomers.end() && next()->strip == strip.number ? next()->y : kInfinity;
+    };
+    double newcomer_y = next_y();
+    std::size_t begin = strip.begin;
+    for (std::size_t row = strip.begin; row < strip.end; ++row) {
+      const bool is_gone = rows_.index[row] < first_left;
+      const double y = rows_.fields[1][row];
+      if (!is_gone && y <= newcomer_y) continue;
+      take_old(begin, row);
+      begin = is_gone ? row + 1 : row;
+      for (; newcomer_y < y; newcomer_y = next_y()) new_rows.push_back(to++);
     }
+    take_old(begin, strip.end);
+    for (; newcomer_y < kInfinity; newcomer_y = next_y()) new_rows.push_back(to++);
+    if (to > first) strips.push_back({strip.number, first, to});
   }
-  constexpr double kEnd = std::numeric_limits<double>::infinity();
-  append_newcomers_before(kEnd, kEnd);
+  take_strips_before(kInfinity);
 
-  const auto reorder = [&](auto* column) {
-    std::remove_reference_t<decltype(*column)> ordered;
-    ordered.reserve(submap.size() + kNumSpareRows);
+  const auto move_runs = [&](auto& column, auto& moved) {
+    if (moved.size() < to + kNumSpareRows) moved.resize(to + to / 4 + kNumSpareRows);
     for (const Run& run : runs) {
-      ordered.insert(ordered.end(),
-                     column->begin() + static_cast<std::ptrdiff_t>(run.begin),
-                     column->begin() + static_cast<std::ptrdiff_t>(run.end));
+      std::copy_n(column.begin() + static_cast<std::ptrdiff_t>(run.from),
+                  run.size,
+                  moved.begin() + static_cast<std::ptrdiff_t>(run.to));
     }
-    ordered.resize(ordered.size() + kNumSpareRows);
-    *column = std::move(ordered);
   };
-  for (std::vector<double>& field : fields_) reorder(&field);
-  reorder(&index_);
+  for (std::size_t i = 0; i < kNumFields; ++i) move_runs(rows_.fields[i], spare_.fields[i]);
+  move_runs(rows_.index, spare_.index);
+  std::swap(rows_, spare_);
+  for (int& index : rows_.index) index -= first_left;
+  for (std::size_t i = 0; i < newcomers.size(); ++i) {
+    const int index = newcomers[i].index;
+    rows_.SetRow(new_rows[i], submap[static_cast<std::size_t>(index)], index);
+  }
+  submap_ = &submap;
+  num_rows_ = to;
   strips_ = std::move(strips);
-  max_variance_ = *std::max_element(fields_.back().begin(), fields_.back().end());
+  max_variance_ = 0.0;
+  for (std::size_t row = 0; row < num_rows_; ++row) {
+    max_variance_ = std::max(max_variance_, rows_.fields[9][row]);
+  }
 }
 
 GaussianColumns PairSearch::Columns() const {
   GaussianColumns columns;
-  for (std::size_t i = 0; i < 3; ++i) columns.mean[i] = fields_[i].data();
-  for (std::size_t i = 0; i < 6; ++i) columns.covariance[i] = fields_[3 + i].data();
-  columns.max_variance = fields_[9].data();
-  columns.index = index_.data();
+  for (std::size_t i = 0; i < 3; ++i) columns.mean[i] = rows_.fields[i].data();
+  for (std::size_t i = 0; i < 6; ++i) columns.covariance[i] = rows_.fields[3 + i].data();
+  columns.max_variance = rows_.fields[9].data();
+  columns.index = rows_.index.data();
   return columns;
 }
 
-// Calls visit(begin, end) for runs of rows that hold all within `radius` of `mean` in x and y.
+// Calls visit(begin, end) for runs of rows that hold all within a radius of `mean` in x and y, the
+// nearest strips first. visit() returns the radius for what is left.
 template <typename Visit>
 void PairSearch::VisitRuns(const Eigen::Vector3d& mean, double radius, const Visit& visit) const {
-  const double last = StripOf(mean.x() + radius);
-  auto strip = std::lower_bound(
-      strips_.begin(),
-      strips_.end(),
-      StripOf(mean.x() - radius),
-      [](const Strip& candidate, double number) { return candidate.number < number; });
-  const double* y = fields_[1].data();
-  for (; strip != strips_.end() && strip->number <= last; ++strip) {
-    const double* begin = std::lower_bound(y + strip->begin, y + strip->end, mean.y() - radius);
-    const double* end = std::upper_bound(begin, y + strip->end, mean.y() + radius);
-    if (begin != end) visit(static_cast<int>(begin - y), static_cast<int>(end - y));
+  const double* y = rows_.fields[1].data();
+  const auto visit_between = [&](const double* begin, const double* end, double low, double high) {
+    const double* first = std::lower_bound(begin, end, low);
+    const double* last = std::upper_bound(first, end, high);
+    if (first != last) radius = visit(static_cast<int>(first - y), static_cast<int>(last - y));
+  };
+  auto right = std::lower_bound(
+      strips_.begin(), strips_.end(), StripOf(mean.x()), [](const Strip& strip, double number) {
+        return strip.number < number;
+      });
+  auto left = right;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  while (true) {
+    const double to_right =
+        right == strips_.end() ? kInfinity : right->number * kStripWidth - mean.x();
+    const double to_left = left == strips_.begin()
+                               ? kInfinity
+                               : mean.x() - (std::prev(left)->number + 1.0) * kStripWidth;
+    const double distance = std::max(0.0, std::min(to_right, to_left));
+    if (!(distance <= radius)) return;
+    const Strip& strip = to_right <= to_left ? *right++ : *--left;
+    const double* begin = y + strip.begin;
+    const double* end = y + strip.end;
+    if (distance == 0.0 && radius > kStripWidth) {  // what is near may narrow the rest down
+      const double core = 0.5 * kStripWidth;
+      visit_between(begin, end, mean.y() - core, mean.y() + core);
+      end = std::lower_bound(begin, end, mean.y() - core);
+      visit_between(begin, end, mean.y() - radius, kInfinity);
+      begin = std::upper_bound(end, static_cast<const double*>(y + strip.end), mean.y() + core);
+      end = y + strip.end;
+      visit_between(begin, end, -kInfinity, mean.y() + radius);
+      continue;
+    }
+    const double half = std::sqrt(radius * radius - distance * distance);
+    visit_between(begin, end, mean.y() - half, mean.y() + half);
   }
 }
 
@@ -237,8 +280,14 @@ std::vector<NdtPair> PairSearch::Find(const std::vector<Gaussian3>& scan,
       query.max_distance = std::min(query.max_distance, slack + reach);
     }
     NearFound found = {mahalanobis.data(), indices.data()};
+    const double largest_variances = max_variances[i] + max_variance_;
     VisitRuns(mean, query.max_distance, [&](int begin, int end) {
       kernels.find_near(columns, begin, end, query, &found);
+      if (found.count != options.max_neighbors || found.count == 0) return query.max_distance;
+      // Whatever is further away than this cannot be nearer by Mahalanobis distance.
+      constexpr double kRounding = 1.0 + 1e-9;
+      const double most = found.mahalanobis[found.furthest];
+      return std::min(query.max_distance, kRounding * std::sqrt(most * largest_variances));
     });
     std::sort(indices.begin(), indices.begin() + found.count);
     for (int k = 0; k < found.count; ++k) {

@@ -74,26 +74,30 @@ class PairSearch {
  private:
   static constexpr std::size_t kNumFields = 10;  // mean, covariance, largest variance
 
+  struct Rows {
+    std::array<std::vector<double>, kNumFields> fields;
+    std::vector<int> index;  // in the submap
+
+    void SetRow(std::size_t row, const Gaussian3& gaussian, int index_in_submap);
+  };
   struct Strip {
-    double number;  // of the strip from the origin, whole
-    int begin;      // rows
-    int end;
+    double number;           // of the strip from the origin, whole
+    std::size_t begin, end;  // rows
   };
   struct Newcomer {
     double strip, y;
     int index;
   };
 
-  std::vector<Newcomer> Newcomers(std::size_t begin) const;
-  void AppendRow(int index);
+  static std::vector<Newcomer> Newcomers(const std::vector<Gaussian3>& submap, std::size_t begin);
   GaussianColumns Columns() const;
   template <typename Visit>
   void VisitRuns(const Eigen::Vector3d& mean, double radius, const Visit& visit) const;
 
   const std::vector<Gaussian3>* submap_ = nullptr;
-  // Rows in the order of strips and y.
-  std::array<std::vector<double>, kNumFields> fields_;
-  std::vector<int> index_;  // in the submap
+  Rows rows_;   // in the order of strips and y, and some more that are not in use
+  Rows spare_;  // to move them to
+  std::size_t num_rows_ = 0;
   std::vector<Strip> strips_;
   double max_variance_ = 0.0;  // of all
 };

@@ -18,6 +18,7 @@ std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
   PreprocessingCounts local;
   std::vector<RadarReturn> kept;
   kept.reserve(scan.returns.size());
+  const FieldOfView field_of_view(options);
   for (const RadarReturn& measured : scan.returns) {
     RadarReturn entry = measured;
     if (!entry.position.allFinite()) {
@@ -29,7 +30,7 @@ std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
       continue;
     }
     entry.position = CorrectPosition(entry.position, sensor);
-    if (!InFieldOfView(entry.position, options)) {
+    if (!field_of_view.Contains(entry.position)) {
       ++local.num_out_of_view;
       continue;
     }
