@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "apps/app_main.h"
 #include "radive/config/load_config.h"
 #include "radive/pipeline/input_report.h"
+#include "radive/util/json.h"
 
 DEFINE_string(config, "", "YAML file with the settings of the dataset, see configs/.");
 DEFINE_string(set,
@@ -21,9 +21,7 @@ namespace {
 
 int Fail(const std::string& error) {
   if (FLAGS_json) {
-    const nlohmann::json object = {{"error", error}};
-    std::printf("%s\n",
-                object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::fputs(radive::JsonText({{"error", error}}).c_str(), stdout);
   }
   std::fprintf(stderr, "radive_inspect: %s\n", error.c_str());
   return radive::Code(radive::ExitStatus::kFailure);

@@ -34,6 +34,8 @@ FORBIDDEN = [
     (re.compile(r"\bDEFINE_(?:string|bool|double|u?int(?:32|64))\("), "defines a flag", set()),
     (re.compile(r"\b(?:v?sn?printf|strto(?:d|f|ld)|sto(?:d|f|ld)|ato[fil]|v?sscanf)\("),
      "depends on the locale; use radive/util/number_text.h", {"util"}),
+    (re.compile(r"[jJ]son::parse\(|\.dump\("), "depends on the locale; use radive/util/json.h",
+     {"util"}),
     (re.compile(r"\bsetlocale\(|\blocale::global\("), "changes the locale of the program", set()),
 ]
 
@@ -109,6 +111,9 @@ def self_test():
     assert count("io/bytes", "  value = strtod(word, &end);") == 1
     assert count("io/bytes", "  text = FormatText(form, value);") == 0
     assert count("util", "  std::vsnprintf(text, sizeof(text), form, values);") == 0
+    assert count("pipeline", "  const auto json = nlohmann::json::parse(text);") == 1
+    assert count("pipeline", "  return json.dump(2);") == 1
+    assert count("pipeline", "  return JsonText(ParseJson(text));") == 0
     assert count("util", '  std::setlocale(LC_ALL, "C");') == 1
     assert count("config", 'DEFINE_string(config, "", "");') == 1
 

@@ -8,6 +8,7 @@
 
 #include "benchmarks/registration/street_scene.h"
 #include "radive/factors/condensed_ndt_cost.h"
+#include "radive/factors/ndt_pair_factor.h"
 #include "radive/geometry/pose_manifold.h"
 #include "radive/registration/registration.h"
 #include "radive/solver/solve.h"

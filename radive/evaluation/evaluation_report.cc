@@ -4,9 +4,9 @@
 #include "radive/evaluation/evaluation_report.h"
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "radive/util/angle_units.h"
+#include "radive/util/json.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -90,18 +90,18 @@ std::string EvaluationTable(const EvaluationResult& result, const EvaluationOpti
 
 std::string EvaluationJson(const EvaluationResult& result, const EvaluationOptions& options) {
   const ErrorStatistics& s = result.statistics;
-  nlohmann::ordered_json json = {{"metric", options.Word("metric")},
-                                 {"relation", options.Word("relation")},
-                                 {"unit", result.unit},
-                                 {"rmse", s.rmse},
-                                 {"mean", s.mean},
-                                 {"median", s.median},
-                                 {"std", s.std},
-                                 {"min", s.min},
-                                 {"max", s.max},
-                                 {"sse", s.sse},
-                                 {"matched", result.num_matched},
-                                 {"count", s.count}};
+  Json json = {{"metric", options.Word("metric")},
+               {"relation", options.Word("relation")},
+               {"unit", result.unit},
+               {"rmse", s.rmse},
+               {"mean", s.mean},
+               {"median", s.median},
+               {"std", s.std},
+               {"min", s.min},
+               {"max", s.max},
+               {"sse", s.sse},
+               {"matched", result.num_matched},
+               {"count", s.count}};
   if (result.drift) {
     json["relation"] = "translation_percent";
     json["mean_translation_percent"] = 100.0 * result.drift->translation;
@@ -109,7 +109,7 @@ std::string EvaluationJson(const EvaluationResult& result, const EvaluationOptio
   }
   json["warnings"] = result.warnings;
   // Names of files may be any bytes.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace radive

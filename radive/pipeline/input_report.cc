@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <variant>
 
@@ -13,6 +12,7 @@
 #include "radive/io/open/open_scan_source.h"
 #include "radive/pipeline/doppler_checked_source.h"
 #include "radive/pipeline/plausibility.h"
+#include "radive/util/json.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -135,10 +135,9 @@ std::string InputReport::ToText() const {
 }
 
 std::string InputReport::ToJson() const {
-  using nlohmann::ordered_json;
-  ordered_json fields = ordered_json::array();
+  Json fields = Json::array();
   for (const FieldSummary& field : facts.fields) {
-    ordered_json entry = {{"name", field.name}, {"type", field.type}, {"role", field.role}};
+    Json entry = {{"name", field.name}, {"type", field.type}, {"role", field.role}};
     if (field.min <= field.max) {
       entry["min"] = field.min;
       entry["max"] = field.max;
@@ -146,30 +145,30 @@ std::string InputReport::ToJson() const {
     entry["num_not_finite"] = field.num_not_finite;
     fields.push_back(entry);
   }
-  ordered_json json = {{"path", path},
-                       {"format", format},
-                       {"layout", layout},
-                       {"reason", reason},
-                       {"from", facts.place},
-                       {"fields", fields},
-                       {"axes", facts.axes},
-                       {"has_doppler", has_doppler},
-                       {"doppler", doppler},
-                       {"dimensions", is_planar ? 2 : 3},
-                       {"num_scans", nullptr},
-                       {"num_scans_read", num_scans_read},
-                       {"returns_per_scan", returns_per_scan},
-                       {"stamps_from", facts.stamp_origin},
-                       {"num_stamps", num_stamps},
-                       {"rate", rate},
-                       {"num_gaps", num_gaps},
-                       {"longest_interval", longest_interval},
-                       {"num_not_increasing", num_not_increasing},
-                       {"why_no_drive", facts.why_no_drive},
-                       {"warnings", warnings}};
+  Json json = {{"path", path},
+               {"format", format},
+               {"layout", layout},
+               {"reason", reason},
+               {"from", facts.place},
+               {"fields", fields},
+               {"axes", facts.axes},
+               {"has_doppler", has_doppler},
+               {"doppler", doppler},
+               {"dimensions", is_planar ? 2 : 3},
+               {"num_scans", nullptr},
+               {"num_scans_read", num_scans_read},
+               {"returns_per_scan", returns_per_scan},
+               {"stamps_from", facts.stamp_origin},
+               {"num_stamps", num_stamps},
+               {"rate", rate},
+               {"num_gaps", num_gaps},
+               {"longest_interval", longest_interval},
+               {"num_not_increasing", num_not_increasing},
+               {"why_no_drive", facts.why_no_drive},
+               {"warnings", warnings}};
   if (num_scans) json["num_scans"] = *num_scans;
   // Names of fields and files may be any bytes.
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 std::optional<InputReport> InspectInput(const std::string& path,

@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "radive/util/json.h"
 #include "radive/util/process_usage.h"
 
 namespace radive {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxRemarks = 50;  // warnings, notes, and different reasons in run.json
 
@@ -152,7 +150,7 @@ std::string RunReport::ToJson(const RunConfig& config, const Facts& facts) const
   json["peak_memory_mb"] = PeakMemoryMegabytes();
   json["num_threads"] = config.odometry.num_threads;
   json["configuration"] = ConfigJson(config);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace radive

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
@@ -15,14 +14,13 @@
 #include "radive/io/bytes/record_file.h"
 #include "radive/io/trajectories/pose_text.h"
 #include "radive/util/angle_units.h"
+#include "radive/util/json.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 // What run.json says of the trajectory. False when it says nothing usable.
 bool ReadRunFacts(const Json& run, RunEstimate* estimate) {
   if (!run.is_object() || !run.contains("start") || !run["start"].is_number_integer()) return false;
@@ -97,7 +95,7 @@ std::optional<RunEstimate> ReadRunEstimate(const fs::path& path, std::string* er
   if (!is_folder) return estimate;
   std::string text;
   if (!ReadWholeFile(path / "run.json", &text, error)) return std::nullopt;
-  if (ReadRunFacts(Json::parse(text, nullptr, /*allow_exceptions=*/false), &estimate)) {
+  if (ReadRunFacts(ParseJson(text), &estimate)) {
     return estimate;
   }
   *error = (path / "run.json").string() +
@@ -183,11 +181,11 @@ std::string ScoresJson(const std::vector<RunScore>& scores,
   json["reference"] = reference_path;
   json["description"] = reference.description;
   for (const RunScore& score : scores) {
-    Json entry = Json::parse(EvaluationJson(score.result, score.options));
+    Json entry = ParseJson(EvaluationJson(score.result, score.options));
     for (const char* word : {"align", "plane", "match"}) entry[word] = score.options.Word(word);
     json["scores"][score.name] = std::move(entry);
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace radive

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "radive/io/open/read_reference.h"
 #include "radive/pipeline/run_scores.h"
 #include "radive/studies/score_run.h"
+#include "radive/util/json.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -58,13 +58,13 @@ bool EndedBadly(const Study& study, const RunEnd& end, RunRecord* record) {
 bool ReadCounts(const fs::path& file, RunRecord* record, std::string* error) {
   std::string text;
   if (!ReadTextFile(file.string(), "report of the run", kLargestTable, &text, error)) return false;
-  const auto json = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const auto json = ParseJson(text);
   try {
     record->scans = json.at("frames").get<int>();
     record->registered = json.at("status").at("registered").get<int>();
     record->warnings = json.value("num_warnings", 0);
     record->timing.max_rss_mb = json.at("peak_memory_mb").get<double>();
-  } catch (const nlohmann::json::exception& exception) {
+  } catch (const Json::exception& exception) {
     *error = file.string() + ": " + exception.what();
     return false;
   }

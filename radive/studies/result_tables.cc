@@ -4,7 +4,6 @@
 #include "radive/studies/result_tables.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 
@@ -14,14 +13,13 @@
 #include "radive/studies/run_folder.h"
 #include "radive/studies/summary.h"
 #include "radive/util/file_lock.h"
+#include "radive/util/json.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 std::string CellText(double value) { return FormatText("%.9g", value); }
 std::string CellText(int value) { return std::to_string(value); }
 
@@ -83,7 +81,7 @@ std::string StudyJson(Study study) {
   json["perturb"] = FieldsJson(study.perturb.Fields(), {});
   json["evaluate"] = FieldsJson(study.evaluation.Fields(),
                                 {"metric", "relation", "match", "max_time_difference", "max_gap"});
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return JsonText(json);
 }
 
 // What is known of each run that has ended.

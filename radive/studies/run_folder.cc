@@ -3,7 +3,6 @@
 
 #include "radive/studies/run_folder.h"
 
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "radive/io/bytes/whole_file.h"
 #include "radive/io/trajectories/trajectory_io.h"
 #include "radive/util/durable_files.h"
+#include "radive/util/json.h"
 #include "radive/util/output_folder.h"
 #include "radive/util/text.h"
 
@@ -19,13 +19,11 @@ namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
 Json ReadJson(const fs::path& file) {
   std::string text;
   std::string ignored;
   if (!ReadTextFile(file.string(), "file", kLargestTable, &text, &ignored)) return Json();
-  return Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  return ParseJson(text);
 }
 
 // True for a file that the folder of a run keeps, when it went well.
@@ -104,9 +102,7 @@ bool RunFolder::WriteRunJson(const RunRecord& record,
   batch["start"] = run.start;
   batch["frames"] = run.frames;
   json["batch"] = std::move(batch);
-  return WriteFile(partial_ / "run.json",
-                   json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n",
-                   error);
+  return WriteFile(partial_ / "run.json", JsonText(json), error);
 }
 
 bool RunFolder::Commit(const RunRecord& record,

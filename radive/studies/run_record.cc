@@ -3,13 +3,12 @@
 
 #include "radive/studies/run_record.h"
 
-#include <nlohmann/json.hpp>
 #include <tuple>
+
+#include "radive/util/json.h"
 
 namespace radive {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Both directions of the mapping visit the fields in this one place.
 template <typename Record, typename Visit>
@@ -55,7 +54,7 @@ struct JsonWriter {
   }
 };
 
-// Throws what nlohmann::json throws for a missing key or a wrong type.
+// Throws what Json throws for a missing key or a wrong type.
 struct JsonReader {
   const Json* json;
   template <typename Value>

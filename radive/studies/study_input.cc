@@ -3,7 +3,6 @@
 
 #include "radive/studies/study_input.h"
 
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "radive/io/bytes/whole_file.h"
 #include "radive/pipeline/simulation_writer.h"
 #include "radive/util/content_hash.h"
+#include "radive/util/json.h"
 
 namespace radive {
 namespace {
@@ -73,7 +73,7 @@ std::optional<std::string> StudyInput::KnownHash() const {
   std::string ignored;
   if (!ReadTextFile(Note(".json").string(), "note", kLargestTable, &text, &ignored))
     return std::nullopt;
-  const auto note = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const auto note = ParseJson(text);
   const auto signature = Signature();
   if (!note.is_object() || !signature || note.value("signature", "") != *signature) {
     return std::nullopt;
@@ -102,8 +102,8 @@ bool StudyInput::Prepare(std::string* error) const {
     *error = folder_.string() + ": changed while it was read";
     return false;
   }
-  const nlohmann::ordered_json note = {{"signature", *signature}, {"hash", hash.Hex()}};
-  return WriteWholeFile(Note(".json"), note.dump(2) + "\n", error);
+  const Json note = {{"signature", *signature}, {"hash", hash.Hex()}};
+  return WriteWholeFile(Note(".json"), JsonText(note), error);
 }
 
 bool StudyInput::MakeFolders(std::string* error) const {

@@ -4,15 +4,14 @@
 #include "radive/io/datasets/dicp_calibration.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
+
+#include "radive/util/json.h"
 
 namespace radive {
 namespace {
 
-using nlohmann::json;
-
-std::optional<double> NumberAt(const json& object, const char* group, const char* key) {
+std::optional<double> NumberAt(const Json& object, const char* group, const char* key) {
   const auto found = object.find(group);
   if (found == object.end() || !found->is_object()) return std::nullopt;
   const auto number = found->find(key);
@@ -23,7 +22,7 @@ std::optional<double> NumberAt(const json& object, const char* group, const char
 }  // namespace
 
 bool ParseDicpCalibration(std::string_view text, MatrixPose* T_vehicle_sensor) {
-  const json file = json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
+  const Json file = ParseJson(text);
   const auto transform = file.is_object() ? file.find("T_V_to_S") : file.end();
   if (!file.is_object() || transform == file.end() || !transform->is_object()) return false;
   const auto x = NumberAt(*transform, "translation", "x");

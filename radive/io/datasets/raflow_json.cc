@@ -5,33 +5,31 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "radive/io/trajectories/pose_text.h"
+#include "radive/util/json.h"
 
 namespace radive {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::array<const char*, 6> kFields = {
     "car_loc_x", "car_loc_y", "car_loc_z", "car_vel_r", "rcs", "power"};
 
-bool IsNumbers(const json& value) {
+bool IsNumbers(const Json& value) {
   if (!value.is_array()) return false;
-  for (const json& entry : value) {
+  for (const Json& entry : value) {
     if (!entry.is_number()) return false;
   }
   return true;
 }
 
-bool ReadScan(const json& file, const char* key, PointTable* table, std::string* error) {
+bool ReadScan(const Json& file, const char* key, PointTable* table, std::string* error) {
   *table = PointTable();
   const auto scan = file.find(key);
-  std::array<const json*, kFields.size()> columns;
+  std::array<const Json*, kFields.size()> columns;
   for (std::size_t i = 0; i < kFields.size(); ++i) {
     const bool has_scan = scan != file.end() && scan->is_object();
-    const auto column = has_scan ? scan->find(kFields[i]) : json::const_iterator();
+    const auto column = has_scan ? scan->find(kFields[i]) : Json::const_iterator();
     if (!has_scan || column == scan->end() || !IsNumbers(*column) ||
         (i > 0 && column->size() != columns[0]->size())) {
       *error =
@@ -43,7 +41,7 @@ bool ReadScan(const json& file, const char* key, PointTable* table, std::string*
   }
   std::string records;
   for (std::size_t k = 0; k < columns[0]->size(); ++k) {
-    for (const json* column : columns) AppendLittleEndian((*column)[k].get<double>(), &records);
+    for (const Json* column : columns) AppendLittleEndian((*column)[k].get<double>(), &records);
   }
   table->num_points = columns[0]->size();
   table->owned.assign(records.begin(), records.end());
@@ -52,14 +50,14 @@ bool ReadScan(const json& file, const char* key, PointTable* table, std::string*
 }
 
 // Four rows of four numbers.
-bool ReadPose(const json& file, const char* key, MatrixPose* pose) {
+bool ReadPose(const Json& file, const char* key, MatrixPose* pose) {
   const auto scan = file.find(key);
   if (scan == file.end() || !scan->is_object()) return false;
   const auto rows = scan->find("pose");
   if (rows == scan->end() || !rows->is_array() || rows->size() != 4) return false;
   Eigen::Matrix4d matrix;
   for (int row = 0; row < 4; ++row) {
-    const json& numbers = (*rows)[static_cast<std::size_t>(row)];
+    const Json& numbers = (*rows)[static_cast<std::size_t>(row)];
     if (!IsNumbers(numbers) || numbers.size() != 4) return false;
     for (int column = 0; column < 4; ++column) {
       matrix(row, column) = numbers[static_cast<std::size_t>(column)].get<double>();
@@ -71,7 +69,7 @@ bool ReadPose(const json& file, const char* key, MatrixPose* pose) {
 }  // namespace
 
 bool ParseRaFlowPair(std::string_view text, RaFlowPair* pair, std::string* error) {
-  const json file = json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
+  const Json file = ParseJson(text);
   if (!file.is_object()) {
     *error = "expected a JSON object with the scans pc1 and pc2";
     return false;
@@ -91,7 +89,7 @@ bool ParseRaFlowPoses(std::string_view text,
                       MatrixPose* T_world_first,
                       MatrixPose* T_world_second,
                       std::string* error) {
-  const json file = json::parse(text.begin(), text.end(), nullptr, /*allow_exceptions=*/false);
+  const Json file = ParseJson(text);
   if (file.is_object() && ReadPose(file, "pc1", T_world_first) &&
       ReadPose(file, "pc2", T_world_second)) {
     return true;

@@ -4,7 +4,6 @@
 #include "radive/io/datasets/vod_poses.h"
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <vector>
 
@@ -12,13 +11,12 @@
 #include "radive/io/bytes/text_lines.h"
 #include "radive/io/scans/scan_folder.h"
 #include "radive/io/trajectories/pose_text.h"
+#include "radive/util/json.h"
 
 namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
-
 constexpr std::string_view kPoseKey = "odomToCamera";
 constexpr std::string_view kCalibrationKey = "Tr_velo_to_cam:";
 
@@ -51,12 +49,12 @@ bool ParseVodPose(std::string_view text, MatrixPose* T_odom_camera, std::string*
            ": 16 numbers, the rows of a rigid 4x4 matrix";
   TextLines lines(text);
   for (std::string_view line; lines.Next(&line);) {
-    const json object = json::parse(line.begin(), line.end(), nullptr, /*allow_exceptions=*/false);
+    const Json object = ParseJson(line);
     if (!object.is_object()) continue;
     const auto matrix = object.find(kPoseKey);
     if (matrix == object.end() || !matrix->is_array() || matrix->size() != 16) continue;
     std::vector<double> rows;
-    for (const json& entry : *matrix) {
+    for (const Json& entry : *matrix) {
       if (entry.is_number()) rows.push_back(entry.get<double>());
     }
     return rows.size() == 16 && SetPose(rows, T_odom_camera);
