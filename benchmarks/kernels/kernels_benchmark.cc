@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The RaDiVe authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The kernels by themselves, with the operations that they do a second: docs/performance.md compares
-// them with what the processor can. state.range(0): place in AvailableKernels().
+// The kernels by themselves, with the operations that they do a second: docs/performance.md
+// compares them with what the processor can. state.range(0): place in AvailableKernels().
 
 #include <benchmark/benchmark.h>
 
@@ -28,8 +28,8 @@ const Kernels& KernelsOf(const benchmark::State& state) {
 
 void CountOperations(benchmark::State& state, double number) {
   state.SetLabel(KernelsOf(state).name);
-  state.counters["flops"] = benchmark::Counter(
-      number * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["flops"] = benchmark::Counter(number * static_cast<double>(state.iterations()),
+                                               benchmark::Counter::kIsRate);
 }
 
 void BM_SumNdtPairs(benchmark::State& state) {
@@ -70,8 +70,8 @@ BENCHMARK(BM_FindNear)->ArgNames({"kernels", "dense"})->ArgsProduct({{0, 1}, {0,
 DopplerEquations Equations() {
   Random random(1);
   const testing::ReturnsModel model;
-  return MakeDopplerEquations(
-      testing::MakeStaticReturns(7000, {12.0, 0.3, -0.1}, model, &random), {0.0, 0.0, 1.0});
+  return MakeDopplerEquations(testing::MakeStaticReturns(7000, {12.0, 0.3, -0.1}, model, &random),
+                              {0.0, 0.0, 1.0});
 }
 
 void BM_CountWithinGate(benchmark::State& state) {
