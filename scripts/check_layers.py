@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # In dependency order, as in the README's table.
 LAYERS = [
-    "util", "geometry", "sensor", "io", "ndt", "neural_map", "factors", "solver", "preprocessing",
+    "util", "kernels", "geometry", "sensor", "io", "ndt", "neural_map", "factors", "solver", "preprocessing",
     "ego_velocity", "training", "registration", "odometry", "evaluation", "simulation", "config",
     "pipeline", "studies",
 ]  # fmt: skip

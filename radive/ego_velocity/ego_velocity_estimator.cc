@@ -3,7 +3,6 @@
 
 #include "radive/ego_velocity/ego_velocity_estimator.h"
 
-#include <ceres/problem.h>
 #include <glog/logging.h>
 
 #include <Eigen/Core>
@@ -15,8 +14,9 @@
 #include "radive/factors/condensed_doppler_factor.h"
 #include "radive/factors/doppler_factor.h"
 #include "radive/geometry/small_matrix.h"
+#include "radive/kernels/kernels.h"
 #include "radive/preprocessing/occlusion_counts.h"
-#include "radive/solver/solve.h"
+#include "radive/solver/solve_small.h"
 #include "radive/util/number_text.h"
 #include "radive/util/random.h"
 
@@ -35,15 +35,28 @@ constexpr double kMinSlope = 0.3;
 // Lets the ridge stand for "nothing known" where the returns leave the vertical open.
 constexpr double kMinRidge = 1e-6;
 
-std::vector<Eigen::Index> WithinGate(const Eigen::ArrayXd& residuals,
-                                     const Eigen::ArrayXd& noise_scale,
-                                     double gate) {
-  std::vector<Eigen::Index> inliers;
-  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-    if (std::abs(residuals[i]) <= gate * noise_scale[i]) inliers.push_back(i);
+// Of an upper triangle, row by row.
+template <int kSize>
+Eigen::Matrix<double, kSize, kSize> Symmetric(const double* upper) {
+  Eigen::Matrix<double, kSize, kSize> full;
+  for (int row = 0; row < kSize; ++row) {
+    for (int column = row; column < kSize; ++column) {
+      full(row, column) = full(column, row) = *upper++;
+    }
   }
-  return inliers;
+  return full;
 }
+
+// The terms of the least squares.
+struct DopplerAndRidge {
+  CondensedDopplerFactor doppler;  // 4 residuals
+  DopplerFactor ridge;             // 1
+
+  template <typename T>
+  bool operator()(const T* const v_radar, T* residuals) const {
+    return doppler(v_radar, residuals) && ridge(v_radar, residuals + 4);
+  }
+};
 
 // Largest Doppler residual of a return that can hide others [m/s].
 constexpr double kHidingGate = 0.5;
@@ -74,9 +87,6 @@ EgoVelocityEstimator::EgoVelocityEstimator(const EgoVelocityOptions& options,
   std::string error;
   CHECK(options_.IsValid(&error)) << error;
   CHECK(sensor_.IsValid(&error)) << error;
-  // The problem is linear: one undamped step solves it.
-  solver_options_.initial_trust_region_radius = 1e16;
-  solver_options_.max_iterations = 5;
 }
 
 EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& returns,
@@ -136,15 +146,16 @@ EgoVelocity EgoVelocityEstimator::Fit(const DopplerEquations& equations,
   const std::optional<Eigen::Vector3d> v_drawn =
       Draw(equations, temporal_gate, is_planar, &random, &fit.reason);
   if (!v_drawn) return fit;
-  fit =
+  Refined refined =
       Refine(equations, up_radar, *v_drawn, Eigen::ArrayXd::Ones(equations.size()), vertical_ridge);
   if (occlusion_.enabled) {
-    const EgoVelocity weighted = Refine(
-        equations, up_radar, fit.v_radar, OcclusionWeights(equations, fit.v_radar), vertical_ridge);
-    if (weighted.num_inliers >= options_.min_inliers) fit = weighted;
+    const Eigen::ArrayXd weights = OcclusionWeights(equations, refined.fit.v_radar);
+    const Refined weighted =
+        Refine(equations, up_radar, refined.fit.v_radar, weights, vertical_ridge);
+    if (weighted.fit.num_inliers >= options_.min_inliers) refined = weighted;
   }
-  if (fit.reason.empty()) fit.reason = WhyUnusable(fit, equations, temporal_gate);
-  return fit;
+  refined.fit.reason = WhyUnusable(refined, equations, temporal_gate);
+  return refined.fit;
 }
 
 // Nothing, with the reason, when no draw gives a velocity or several do.
@@ -205,61 +216,47 @@ Eigen::ArrayXd EgoVelocityEstimator::OcclusionWeights(const DopplerEquations& eq
   return weights;
 }
 
-EgoVelocity EgoVelocityEstimator::Refine(const DopplerEquations& equations,
-                                         const Eigen::Vector3d& up_radar,
-                                         const Eigen::Vector3d& v_start,
-                                         const Eigen::ArrayXd& weights,
-                                         double vertical_ridge) const {
-  EgoVelocity fit;
+EgoVelocityEstimator::Refined EgoVelocityEstimator::Refine(const DopplerEquations& equations,
+                                                           const Eigen::Vector3d& up_radar,
+                                                           const Eigen::Vector3d& v_start,
+                                                           const Eigen::ArrayXd& weights,
+                                                           double vertical_ridge) const {
+  const DopplerColumns columns = equations.Columns(&weights);
+  DopplerSums sums;
+  std::vector<unsigned char> inliers(static_cast<std::size_t>(equations.size() + 3) / 4), before;
+  const auto sum_at = [&](const Eigen::Vector3d& v, bool with_rest) {
+    const DopplerGate gate = {{v.x(), v.y(), v.z()}, options_.fit_gate, NoiseRatio()};
+    ActiveKernels().sum_within_gate(columns, gate, with_rest, &sums, inliers.data());
+  };
+  Refined refined;
+  EgoVelocity& fit = refined.fit;
   fit.v_radar = v_start;
-  Eigen::ArrayXd residuals = equations.Residuals(fit.v_radar);
-  Eigen::ArrayXd noise_scale = equations.NoiseScale(fit.v_radar, NoiseRatio());
-  std::vector<Eigen::Index> inliers = WithinGate(residuals, noise_scale, options_.fit_gate);
-  for (int round = 0; round < kMaxRounds; ++round) {
-    if (inliers.empty()) break;
-    fit.v_radar = LeastSquares(
-        equations, inliers, weights / noise_scale.square(), up_radar, fit.v_radar, vertical_ridge);
-    residuals = equations.Residuals(fit.v_radar);
-    noise_scale = equations.NoiseScale(fit.v_radar, NoiseRatio());
-    std::vector<Eigen::Index> next = WithinGate(residuals, noise_scale, options_.fit_gate);
-    const bool is_settled = next == inliers;
-    inliers = std::move(next);
-    if (is_settled) break;
+  sum_at(fit.v_radar, /*with_rest=*/false);
+  for (int round = 0; round < kMaxRounds && sums.count > 0; ++round) {
+    fit.v_radar = LeastSquares(sums, up_radar, fit.v_radar, vertical_ridge);
+    before = inliers;
+    sum_at(fit.v_radar, /*with_rest=*/false);
+    if (inliers == before) break;
   }
-  fit.num_inliers = static_cast<int>(inliers.size());
-  if (inliers.empty()) return fit;
-  double sum = 0.0;
-  for (const Eigen::Index i : inliers) sum += residuals[i] * residuals[i];
-  fit.residual_rms = std::sqrt(sum / static_cast<double>(inliers.size()));
-  fit.covariance = Covariance(
-      equations, residuals, noise_scale, weights / noise_scale.square(), up_radar, vertical_ridge);
-  return fit;
+  fit.num_inliers = sums.count;
+  if (sums.count == 0) return refined;
+  sum_at(fit.v_radar, /*with_rest=*/true);
+  fit.residual_rms = std::sqrt(sums.squares / sums.count);
+  fit.covariance = Covariance(sums, up_radar, vertical_ridge);
+  refined.directions = Symmetric<3>(sums.directions);
+  return refined;
 }
 
-Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerEquations& equations,
-                                                   const std::vector<Eigen::Index>& inliers,
-                                                   const Eigen::ArrayXd& weights,
+Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerSums& sums,
                                                    const Eigen::Vector3d& up_radar,
                                                    const Eigen::Vector3d& v_start,
                                                    double vertical_ridge) const {
-  CondensedDopplerFactor::Sum sum;
-  double sum_of_weights = 0.0;
-  for (const Eigen::Index i : inliers) {
-    sum.Add(equations.Direction(i),
-            equations.Unwrapped(i, v_start),
-            sensor_.sigma_doppler / std::sqrt(weights[i]));
-    sum_of_weights += weights[i];
-  }
-  Eigen::Vector3d v_radar = v_start;
-  ceres::Problem problem;
-  problem.AddResidualBlock(CondensedDopplerFactor::Create(sum), nullptr, v_radar.data());
-  const double ridge_returns = vertical_ridge * sum_of_weights;
-  problem.AddResidualBlock(
-      DopplerFactor::Create(up_radar, 0.0, sensor_.sigma_doppler / std::sqrt(ridge_returns)),
-      nullptr,
-      v_radar.data());
-  Solve(solver_options_, &problem);
-  return v_radar;
+  const double variance = sensor_.sigma_doppler * sensor_.sigma_doppler;
+  const double ridge_returns = vertical_ridge * sums.weights;
+  const DopplerAndRidge residuals = {
+      CondensedDopplerFactor(CondensedDopplerFactor::Sum(Symmetric<4>(sums.equations) / variance)),
+      DopplerFactor(up_radar, 0.0, sensor_.sigma_doppler / std::sqrt(ridge_returns))};
+  return SolveSmallLinear<5, 3>(residuals, v_start);
 }
 
 // Covariance of the gated least squares as an M-estimator, whatever the distribution of the noise
@@ -272,37 +269,21 @@ Eigen::Vector3d EgoVelocityEstimator::LeastSquares(const DopplerEquations& equat
 // S      sum of w^2 residual^2 d d' over the inliers: the noise as it is
 // kappa  how much of a shift of v the gated sum of residuals shows: 1 when the gate cuts nothing,
 //        less when returns lie at the edge of the gate and leave the sum as others enter
-Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equations,
-                                                 const Eigen::ArrayXd& residuals,
-                                                 const Eigen::ArrayXd& noise_scale,
-                                                 const Eigen::ArrayXd& weights,
+Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerSums& sums,
                                                  const Eigen::Vector3d& up_radar,
                                                  double vertical_ridge) const {
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d S_prior = Eigen::Matrix3d::Zero();  // of noise sigma_doppler
-  double num_inliers = 0.0, num_at_edge = 0.0, sum_of_weights = 0.0;
+  const Eigen::Matrix3d A = Symmetric<4>(sums.equations).topLeftCorner<3, 3>();
   const double variance = sensor_.sigma_doppler * sensor_.sigma_doppler;
-  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
-    const double residual = std::abs(residuals[i]);
-    const double gate = options_.fit_gate * noise_scale[i];
-    if (std::abs(residual - gate) <= 0.25 * gate) num_at_edge += 1.0;
-    if (!(residual <= gate)) continue;
-    const Eigen::Vector3d d = equations.Direction(i);
-    const Eigen::Matrix3d outer = weights[i] * d * d.transpose();
-    A += outer;
-    S += weights[i] * residual * residual * outer;
-    S_prior += weights[i] * variance * noise_scale[i] * noise_scale[i] * outer;
-    num_inliers += 1.0;
-    sum_of_weights += weights[i];
-  }
+  const Eigen::Matrix3d S_prior = variance * Symmetric<3>(sums.noise);
   // Three parameters have been fitted to these residuals; the prior keeps small numbers honest.
+  const double num_inliers = sums.count;
   const double freedom = std::max(0.0, num_inliers - 3.0);
-  S = (S * num_inliers + S_prior * kPriorReturns) / (freedom + kPriorReturns);
+  const Eigen::Matrix3d S = (Symmetric<3>(sums.scatter) * num_inliers + S_prior * kPriorReturns) /
+                            (freedom + kPriorReturns);
   // Density of residuals at the edge times the width of the gate, over the inliers.
-  const double kappa = std::max(kMinSlope, 1.0 - 2.0 * num_at_edge / num_inliers);
+  const double kappa = std::max(kMinSlope, 1.0 - 2.0 * sums.num_at_edge / num_inliers);
   const double sigma_up = options_.vertical_sigma;
-  const Eigen::Matrix3d R = sum_of_weights * vertical_ridge * up_radar * up_radar.transpose();
+  const Eigen::Matrix3d R = sums.weights * vertical_ridge * up_radar * up_radar.transpose();
   const Eigen::Matrix3d inverse = PseudoInverse(A + R);
   const Eigen::Matrix3d covariance =
       inverse * (S / (kappa * kappa) + sigma_up * sigma_up * R * R.transpose()) * inverse;
@@ -314,16 +295,11 @@ Eigen::Matrix3d EgoVelocityEstimator::Covariance(const DopplerEquations& equatio
 // Standard deviation of the fit in the weakest horizontal direction [m/s]; infinite when the
 // inliers leave it open. The covariance alone would not tell: it is zero there, for want of
 // residuals.
-double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
+double EgoVelocityEstimator::HorizontalSigma(const Refined& refined,
                                              const DopplerEquations& equations) const {
-  const Eigen::ArrayXd gates = options_.fit_gate * equations.NoiseScale(fit.v_radar, NoiseRatio());
-  const auto is_inlier = (equations.Residuals(fit.v_radar).abs() <= gates).cast<double>().eval();
-  Eigen::Matrix2d information;
-  information(0, 0) = (is_inlier * equations.first.square()).sum();
-  information(1, 1) = (is_inlier * equations.second.square()).sum();
-  information(0, 1) = (is_inlier * equations.first * equations.second).sum();
-  information(1, 0) = information(0, 1);
-  const Eigen::Matrix2d covariance = equations.basis.transpose() * fit.covariance * equations.basis;
+  const auto& basis = equations.basis;
+  const Eigen::Matrix2d information = basis.transpose() * refined.directions * basis;
+  const Eigen::Matrix2d covariance = basis.transpose() * refined.fit.covariance * basis;
   const double weakest = SymmetricEigen(information).values[0];
   const double largest = SymmetricEigen(covariance).values[1];
   return std::max(std::sqrt(std::max(0.0, largest)),
@@ -332,9 +308,10 @@ double EgoVelocityEstimator::HorizontalSigma(const EgoVelocity& fit,
 
 // Empty when the fit is usable.
 std::string EgoVelocityEstimator::WhyUnusable(
-    const EgoVelocity& fit,
+    const Refined& refined,
     const DopplerEquations& equations,
     const std::optional<VelocityGate>& temporal_gate) const {
+  const EgoVelocity& fit = refined.fit;
   const double needed =
       std::max<double>(options_.min_inliers, options_.min_inlier_share * equations.size());
   if (fit.num_inliers < needed) {
@@ -343,7 +320,7 @@ std::string EgoVelocityEstimator::WhyUnusable(
                       equations.size(),
                       std::ceil(needed));
   }
-  const double sigma = HorizontalSigma(fit, equations);
+  const double sigma = HorizontalSigma(refined, equations);
   if (!(sigma <= options_.max_sigma)) {
     return FormatText(
         "the returns lie too close to one direction: standard deviation %.2f m/s across "

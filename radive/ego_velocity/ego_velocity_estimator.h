@@ -15,7 +15,6 @@
 #include "radive/preprocessing/occlusion_options.h"
 #include "radive/sensor/radar_scan.h"
 #include "radive/sensor/sensor_options.h"
-#include "radive/solver/solver_options.h"
 
 namespace radive {
 
@@ -48,6 +47,11 @@ class EgoVelocityEstimator {
     std::int64_t stamp_ns;
   };
 
+  struct Refined {
+    EgoVelocity fit;
+    Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();  // sum of d d^T over the inliers
+  };
+
   double SecondsSinceLastGood(std::int64_t stamp_ns) const;
   std::optional<VelocityGate> TemporalGate(const DopplerEquations& equations,
                                            std::int64_t stamp_ns) const;
@@ -61,29 +65,24 @@ class EgoVelocityEstimator {
                                       bool is_planar,
                                       Random* random,
                                       std::string* reason) const;
-  EgoVelocity Refine(const DopplerEquations& equations,
-                     const Eigen::Vector3d& up_radar,
-                     const Eigen::Vector3d& v_start,
-                     const Eigen::ArrayXd& weights,
-                     double vertical_ridge) const;
+  Refined Refine(const DopplerEquations& equations,
+                 const Eigen::Vector3d& up_radar,
+                 const Eigen::Vector3d& v_start,
+                 const Eigen::ArrayXd& weights,
+                 double vertical_ridge) const;
   // Weights of the returns, of mean square 1 or less: those behind others count less.
   Eigen::ArrayXd OcclusionWeights(const DopplerEquations& equations,
                                   const Eigen::Vector3d& v_radar) const;
   double NoiseRatio() const { return options_.sigma_angle / sensor_.sigma_doppler; }
-  Eigen::Vector3d LeastSquares(const DopplerEquations& equations,
-                               const std::vector<Eigen::Index>& inliers,
-                               const Eigen::ArrayXd& weights,
+  Eigen::Vector3d LeastSquares(const DopplerSums& sums,
                                const Eigen::Vector3d& up_radar,
                                const Eigen::Vector3d& v_start,
                                double vertical_ridge) const;
-  Eigen::Matrix3d Covariance(const DopplerEquations& equations,
-                             const Eigen::ArrayXd& residuals,
-                             const Eigen::ArrayXd& noise_scale,
-                             const Eigen::ArrayXd& weights,
+  Eigen::Matrix3d Covariance(const DopplerSums& sums,
                              const Eigen::Vector3d& up_radar,
                              double vertical_ridge) const;
-  double HorizontalSigma(const EgoVelocity& fit, const DopplerEquations& equations) const;
-  std::string WhyUnusable(const EgoVelocity& fit,
+  double HorizontalSigma(const Refined& refined, const DopplerEquations& equations) const;
+  std::string WhyUnusable(const Refined& refined,
                           const DopplerEquations& equations,
                           const std::optional<VelocityGate>& temporal_gate) const;
 
@@ -92,7 +91,6 @@ class EgoVelocityEstimator {
   const OcclusionOptions occlusion_;
   const Eigen::Vector3d up_radar_;       // of the vehicle, unit
   const Eigen::Vector3d forward_radar_;  // of the vehicle, unit
-  SolverOptions solver_options_;
   std::uint64_t num_scans_ = 0;
   std::optional<LastGood> last_good_;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "radive/geometry/plane_basis.h"
+#include "radive/kernels/kernels.h"
 
 namespace radive {
 namespace {
@@ -17,17 +18,10 @@ namespace {
 // times.
 constexpr double kMinDeterminant = 0.02;
 
-int CountInliers(const DopplerEquations& equations, const Eigen::Vector2d& velocity, double gate) {
-  if (equations.span > 0.0) {
-    const Eigen::ArrayXd turns =
-        (equations.v_doppler + equations.first * velocity.x() + equations.second * velocity.y()) /
-        equations.span;
-    return static_cast<int>(((turns - turns.round()).abs() <= gate / equations.span).count());
-  }
-  return static_cast<int>(
-      ((equations.v_doppler + equations.first * velocity.x() + equations.second * velocity.y())
-           .abs() <= gate)
-          .count());
+// `columns`: in the basis that the velocity has.
+template <typename Velocity>
+int CountInliers(const DopplerColumns& columns, const Velocity& velocity, double gate) {
+  return ActiveKernels().count_within_gate(columns, velocity.data(), gate);
 }
 
 }  // namespace
@@ -72,8 +66,12 @@ std::optional<VelocityHypothesis> DrawVelocity(const DopplerEquations& equations
                                                const std::optional<VelocityGate>& temporal_gate,
                                                Random* random) {
   std::optional<VelocityHypothesis> best;
+  DopplerColumns columns = equations.Columns();
+  columns.direction[0] = equations.first.data();
+  columns.direction[1] = equations.second.data();
+  columns.direction[2] = nullptr;
   const auto consider = [&](const Eigen::Vector2d& velocity) {
-    const int num_inliers = CountInliers(equations, velocity, gate);
+    const int num_inliers = CountInliers(columns, velocity, gate);
     if (!best || num_inliers > best->num_inliers) best = {velocity, num_inliers};
   };
   if (temporal_gate) consider(temporal_gate->center);
@@ -100,7 +98,8 @@ std::optional<Eigen::Vector3d> DrawSpatialVelocity(const DopplerEquations& equat
                                                    const std::optional<VelocityGate>& temporal_gate,
                                                    Random* random) {
   std::optional<Eigen::Vector3d> best;
-  Eigen::Index most_inliers = 0;
+  int most_inliers = 0;
+  const DopplerColumns columns = equations.Columns();
   if (equations.size() < 3) return best;
   const auto size = static_cast<std::uint64_t>(equations.size());
   for (int draw = 0; draw < num_draws; ++draw) {
@@ -114,7 +113,7 @@ std::optional<Eigen::Vector3d> DrawSpatialVelocity(const DopplerEquations& equat
     if (!(std::abs(directions.determinant()) > kMinDeterminant)) continue;
     const Eigen::Vector3d velocity = -directions.inverse() * v_doppler;
     if (temporal_gate && !temporal_gate->Contains(equations.basis.transpose() * velocity)) continue;
-    const Eigen::Index num_inliers = (equations.Residuals(velocity).abs() <= gate).count();
+    const int num_inliers = CountInliers(columns, velocity, gate);
     if (best && num_inliers <= most_inliers) continue;
     best = velocity;
     most_inliers = num_inliers;

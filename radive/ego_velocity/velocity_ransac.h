@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "radive/sensor/doppler_wrap.h"
+#include "radive/kernels/doppler_columns.h"
 #include "radive/sensor/radar_scan.h"
 #include "radive/util/random.h"
 
@@ -27,13 +27,13 @@ struct DopplerEquations {
   int size() const { return static_cast<int>(v_doppler.size()); }
   Eigen::Vector3d Direction(Eigen::Index i) const { return {x[i], y[i], z[i]}; }
 
-  // Growth of the Doppler noise of each return by that of its angles, see
-  // EgoVelocityOptions::sigma_angle. `ratio`: sigma_angle over sigma_doppler [s/m].
-  Eigen::ArrayXd NoiseScale(const Eigen::Vector3d& v_radar, double ratio) const {
-    if (ratio == 0.0) return Eigen::ArrayXd::Ones(size());
-    const Eigen::ArrayXd along = x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
-    const Eigen::ArrayXd across_squared = (v_radar.squaredNorm() - along.square()).max(0.0);
-    return (1.0 + across_squared * ratio * ratio).sqrt();
+  // As the kernels take them; `weights` must outlive what is returned.
+  DopplerColumns Columns(const Eigen::ArrayXd* weights = nullptr) const {
+    return {{x.data(), y.data(), z.data()},
+            v_doppler.data(),
+            weights == nullptr ? nullptr : weights->data(),
+            size(),
+            span};
   }
 
   // v_doppler + d . v of all returns [m/s], of the multiple of the span nearest to v.
@@ -41,13 +41,6 @@ struct DopplerEquations {
     Eigen::ArrayXd residuals = v_doppler + x * v_radar.x() + y * v_radar.y() + z * v_radar.z();
     if (span > 0.0) residuals -= span * (residuals / span).round();
     return residuals;
-  }
-
-  // v_doppler of a return, of the multiple of the span nearest to v [m/s].
-  double Unwrapped(Eigen::Index i, const Eigen::Vector3d& v_radar) const {
-    if (!(span > 0.0)) return v_doppler[i];
-    const double expected = -Direction(i).dot(v_radar);
-    return expected + WrapDoppler(v_doppler[i] - expected, span);
   }
 };
 

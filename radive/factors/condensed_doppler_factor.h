@@ -32,6 +32,9 @@ class CondensedDopplerFactor {
   // cost at 17 m/s.
   class Sum {
    public:
+    Sum() = default;
+    explicit Sum(const Eigen::Matrix4d& matrix) : matrix_(matrix) {}
+
     void Add(const Eigen::Vector3d& direction_radar, double v_doppler, double sigma) {
       Eigen::Vector4d row;
       row << direction_radar, v_doppler;

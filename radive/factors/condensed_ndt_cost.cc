@@ -7,10 +7,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "radive/factors/ndt_pair_factor.h"
-#include "radive/geometry/rigid3.h"
+#include "radive/kernels/kernels.h"
 
 namespace radive {
 namespace {
@@ -18,76 +20,32 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-// Inverse and determinant of a symmetric 3x3 matrix.
-struct SymmetricInverse {
-  double xx, xy, xz, yy, yz, zz;
-  double determinant;
+constexpr double kTwoPiCubed = 248.05021344239853;
 
-  SymmetricInverse(double a, double b, double c, double d, double e, double f) {
-    // [a b c; b d e; c e f]
-    const double m00 = d * f - e * e;
-    const double m01 = c * e - b * f;
-    const double m02 = b * e - c * d;
-    determinant = a * m00 + b * m01 + c * m02;
-    const double inverse = 1.0 / determinant;
-    xx = m00 * inverse;
-    xy = m01 * inverse;
-    xz = m02 * inverse;
-    yy = (a * f - c * c) * inverse;
-    yz = (b * c - a * e) * inverse;
-    zz = (a * d - b * b) * inverse;
+// Of the upper triangle.
+Matrix6d Symmetric(const double (&upper)[6][6]) {
+  Matrix6d full;
+  for (int row = 0; row < 6; ++row) {
+    for (int column = row; column < 6; ++column) {
+      full(row, column) = full(column, row) = upper[row][column];
+    }
   }
-
-  Eigen::Vector3d operator*(const Eigen::Vector3d& v) const {
-    return {xx * v.x() + xy * v.y() + xz * v.z(),
-            xy * v.x() + yy * v.y() + yz * v.z(),
-            xz * v.x() + yz * v.y() + zz * v.z()};
-  }
-
-  Eigen::Matrix3d Matrix() const {
-    Eigen::Matrix3d m;
-    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    return m;
-  }
-};
-
-// A scan Gaussian at the current pose.
-struct Rotated {
-  Eigen::Vector3d offset;      // R mu_A: the lever of the rotation
-  Eigen::Vector3d mean;        // R mu_A + t
-  Eigen::Matrix3d covariance;  // R Sigma_A R^T
-
-  Rotated(const Gaussian3& gaussian, const Eigen::Matrix3d& R, const Eigen::Vector3d& t)
-      : offset(R * gaussian.mean),
-        mean(offset + t),
-        covariance(R * gaussian.covariance * R.transpose()) {}
-};
-
-template <typename Target>
-SymmetricInverse SigmaInverse(const Eigen::Matrix3d& a, const Target& b) {
-  return {a(0, 0) + b.xx,
-          a(0, 1) + b.xy,
-          a(0, 2) + b.xz,
-          a(1, 1) + b.yy,
-          a(1, 2) + b.yz,
-          a(2, 2) + b.zz};
+  return full;
 }
 
-// H += J^T stiffness J with J = [-[R mu_A]_x, I], but for its lower left block.
-void AddAtLever(const Eigen::Matrix3d& stiffness, const Eigen::Matrix3d& lever, Matrix6d* H) {
-  const Eigen::Matrix3d cross = lever * stiffness;
-  H->topLeftCorner<3, 3>() += cross * lever.transpose();
-  H->topRightCorner<3, 3>() += cross;
-  H->bottomRightCorner<3, 3>() += stiffness;
+// Mean and covariance of a Gaussian as one lane of nine.
+void SetLane(const Eigen::Vector3d& mean,
+             const Eigen::Matrix3d& covariance,
+             int lane,
+             Lanes* fields) {
+  for (int i = 0; i < 3; ++i) fields[i].value[lane] = mean[i];
+  fields[3].value[lane] = covariance(0, 0);
+  fields[4].value[lane] = covariance(0, 1);
+  fields[5].value[lane] = covariance(0, 2);
+  fields[6].value[lane] = covariance(1, 1);
+  fields[7].value[lane] = covariance(1, 2);
+  fields[8].value[lane] = covariance(2, 2);
 }
-
-void Symmetrise(Matrix6d* H) {
-  H->bottomLeftCorner<3, 3>() = H->topRightCorner<3, 3>().transpose();
-}
-
-// Beyond this squared Mahalanobis distance a pair has no more than 1e-13 of its weight: its cost is
-// the full depth and its derivatives are zero to rounding.
-constexpr double kFarAway = 60.0;
 
 }  // namespace
 
@@ -103,105 +61,80 @@ CondensedNdtCost::CondensedNdtCost(const std::vector<Gaussian3>& scan,
       origin_(origin),
       normalisation_(normalisation),
       derivatives_(derivatives) {
-  targets_.reserve(pairs.size());
   for (const NdtPair& pair : pairs) {
     const Gaussian3& a = scan[static_cast<std::size_t>(pair.scan)];
     const Gaussian3& b = submap[static_cast<std::size_t>(pair.submap)];
-    Target target;
-    target.mean = b.mean - origin;
-    target.xx = b.covariance(0, 0);
-    target.xy = b.covariance(0, 1);
-    target.xz = b.covariance(0, 2);
-    target.yy = b.covariance(1, 1);
-    target.yz = b.covariance(1, 2);
-    target.zz = b.covariance(2, 2);
-    const double weight = a.weight * b.confidence;
-    target.depth = weight;
-    target.factor = weight;
+    double depth = a.weight * b.confidence;
     if (normalisation == NdtNormalisation::kPaper) {
-      constexpr double kTwoPiCubed = 248.05021344239853;
       const double bound = NdtPairFactor::DeterminantBound(a.covariance, b.covariance);
-      target.depth = weight / std::sqrt(kTwoPiCubed * bound);
-      target.factor = weight / std::sqrt(kTwoPiCubed);
+      depth /= std::sqrt(kTwoPiCubed * bound);
     }
-    offset_ += target.depth;
-    targets_.push_back(target);
+    offset_ += depth;
+  }
+  if (derivatives == NdtDerivatives::kAnalytic) MakePacks();
+}
+
+// Scan Gaussians with about as many pairs go into one pack: few rows are left half empty.
+void CondensedNdtCost::MakePacks() {
+  struct Run {
+    std::size_t begin, end;  // the pairs of one scan Gaussian
+  };
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (k == 0 || pairs_[k].scan != pairs_[k - 1].scan) runs.push_back({k, k});
+    ++runs.back().end;
+  }
+  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+    return a.end - a.begin > b.end - b.begin;
+  });
+  constexpr std::size_t kLanes = 4;
+  num_rows_.reserve((runs.size() + kLanes - 1) / kLanes);
+  std::size_t num_rows = 0;
+  for (std::size_t i = 0; i < runs.size(); i += kLanes) {
+    num_rows_.push_back(static_cast<int>(runs[i].end - runs[i].begin));
+    num_rows += runs[i].end - runs[i].begin;
+  }
+  scan_packs_.resize(num_rows_.size() * NdtPacks::kScanFields);
+  pair_packs_.resize(num_rows * NdtPacks::kPairFields);
+  const double normaliser =
+      normalisation_ == NdtNormalisation::kPaper ? 1.0 / std::sqrt(kTwoPiCubed) : 1.0;
+  Lanes* rows = pair_packs_.data();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Run& run = runs[i];
+    const int lane = static_cast<int>(i % kLanes);
+    const Gaussian3& a = scan_[static_cast<std::size_t>(pairs_[run.begin].scan)];
+    SetLane(a.mean, a.covariance, lane, &scan_packs_[i / kLanes * NdtPacks::kScanFields]);
+    Lanes* row = rows;
+    for (std::size_t k = run.begin; k < run.end; ++k, row += NdtPacks::kPairFields) {
+      const Gaussian3& b = submap_[static_cast<std::size_t>(pairs_[k].submap)];
+      SetLane(b.mean - origin_, b.covariance, lane, row);
+      row[9].value[lane] = a.weight * b.confidence * normaliser;
+    }
+    if (i % kLanes + 1 == kLanes) rows += num_rows_[i / kLanes] * NdtPacks::kPairFields;
   }
 }
 
-double CondensedNdtCost::Cost(const double* pose) const {
-  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Quaterniond>(pose).toRotationMatrix();
-  const Eigen::Map<const Eigen::Vector3d> t(pose + 4);
-  double cost = 0.0;
-  std::size_t k = 0;
-  while (k < pairs_.size()) {
-    const int index = pairs_[k].scan;
-    const Rotated a(scan_[static_cast<std::size_t>(index)], R, t);
-    for (; k < pairs_.size() && pairs_[k].scan == index; ++k) {
-      const Target& b = targets_[k];
-      const Eigen::Vector3d delta = a.mean - b.mean;
-      const SymmetricInverse inverse = SigmaInverse(a.covariance, b);
-      const double m = delta.dot(inverse * delta);
-      double height = b.factor;
-      if (normalisation_ == NdtNormalisation::kPaper) height /= std::sqrt(inverse.determinant);
-      cost += b.depth - (m < kFarAway ? height * std::exp(-0.5 * m) : 0.0);
-    }
-  }
-  return cost;
-}
-
-NdtQuadratic CondensedNdtCost::AnalyticQuadratic(const double* pose, bool with_scatter) const {
-  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Quaterniond>(pose).toRotationMatrix();
-  const Eigen::Map<const Eigen::Vector3d> t(pose + 4);
+NdtQuadratic CondensedNdtCost::AnalyticQuadratic(const double* pose) const {
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> R =
+      Eigen::Map<const Eigen::Quaterniond>(pose).toRotationMatrix();
+  NdtPacks packs;
+  packs.scan = scan_packs_.data();
+  packs.pairs = pair_packs_.data();
+  packs.num_rows = num_rows_.data();
+  packs.num_packs = static_cast<int>(num_rows_.size());
+  packs.divides_by_determinant = normalisation_ == NdtNormalisation::kPaper;
+  NdtSums sums;
+  ActiveKernels().sum_ndt_pairs(packs, R.data(), pose + 4, &sums);
   NdtQuadratic result;
-  std::size_t k = 0;
-  while (k < pairs_.size()) {
-    const int index = pairs_[k].scan;
-    const Rotated a(scan_[static_cast<std::size_t>(index)], R, t);
-    const Eigen::Matrix3d& G = a.covariance;
-    // All pairs of one scan Gaussian share the lever R mu_A, so their sums are formed in 3D first.
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();       // sum of p q
-    Eigen::Vector3d torque = Eigen::Vector3d::Zero();      // of the covariance terms
-    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();   // sum of p Sigma^-1
-    Eigen::Matrix3d off_centre = Eigen::Matrix3d::Zero();  // sum of p q q^T
-    for (; k < pairs_.size() && pairs_[k].scan == index; ++k) {
-      const Target& b = targets_[k];
-      const Eigen::Vector3d delta = a.mean - b.mean;
-      const SymmetricInverse inverse = SigmaInverse(G, b);
-      const Eigen::Vector3d q = inverse * delta;
-      const double m = delta.dot(q);
-      result.cost += b.depth;
-      if (!(m < kFarAway)) continue;
-      double p = b.factor * std::exp(-0.5 * m);
-      if (normalisation_ == NdtNormalisation::kPaper) p /= std::sqrt(inverse.determinant);
-      result.cost -= p;
-      force += p * q;
-      torque -= p * (G * q).cross(q);
-      const Eigen::Matrix3d inverse_matrix = inverse.Matrix();
-      if (normalisation_ == NdtNormalisation::kPaper) {
-        const Eigen::Matrix3d X = G * inverse_matrix;
-        torque += p * Eigen::Vector3d(X(1, 2) - X(2, 1), X(2, 0) - X(0, 2), X(0, 1) - X(1, 0));
-      }
-      stiffness += p * inverse_matrix;
-      if (with_scatter) off_centre += p * q * q.transpose();
-    }
-    Vector6d gradient;
-    gradient.head<3>() = a.offset.cross(force) + torque;
-    gradient.tail<3>() = force;
-    result.gradient += gradient;
-    const Eigen::Matrix3d lever = Skew(a.offset);
-    AddAtLever(stiffness, lever, &result.hessian);
-    if (with_scatter) {
-      result.scatter += gradient * gradient.transpose();
-      AddAtLever(stiffness - off_centre, lever, &result.curvature);
-    }
-  }
-  Symmetrise(&result.hessian);
-  Symmetrise(&result.curvature);
+  result.cost = offset_ - sums.height;
+  result.gradient = Eigen::Map<const Vector6d>(sums.gradient);
+  result.hessian = Symmetric(sums.hessian);
+  result.curvature = result.hessian - Symmetric(sums.off_centre);
+  result.scatter = Symmetric(sums.scatter);
   return result;
 }
 
-NdtQuadratic CondensedNdtCost::AutodiffQuadratic(const double* pose, bool with_scatter) const {
+NdtQuadratic CondensedNdtCost::AutodiffQuadratic(const double* pose) const {
   using Jet = ceres::Jet<double, 6>;
   const Eigen::Quaterniond q0 = Eigen::Map<const Eigen::Quaterniond>(pose);
   const Eigen::Matrix3d R0 = q0.toRotationMatrix();
@@ -226,8 +159,8 @@ NdtQuadratic CondensedNdtCost::AutodiffQuadratic(const double* pose, bool with_s
     const Eigen::Matrix<Jet, 3, 3> covariance = R * a.covariance.cast<Jet>() * R.transpose();
     Vector6d gradient_of_scan = Vector6d::Zero();
     for (; k < pairs_.size() && pairs_[k].scan == index; ++k) {
-      const NdtPairFactor factor(
-          a, submap_[static_cast<std::size_t>(pairs_[k].submap)], normalisation_);
+      const Gaussian3& b = submap_[static_cast<std::size_t>(pairs_[k].submap)];
+      const NdtPairFactor factor(a, b, normalisation_);
       Jet residuals[4];
       factor.Residuals<Jet>(rotated, covariance, t, residuals);
       Eigen::Vector4d r;
@@ -237,26 +170,36 @@ NdtQuadratic CondensedNdtCost::AutodiffQuadratic(const double* pose, bool with_s
         J.row(i) = residuals[i].v.transpose();
       }
       double rho[3];
-      NdtPairLoss(a.weight * factor.WellDepth()).Evaluate(r.squaredNorm(), rho);
+      NdtPairLoss(a.weight * b.confidence * factor.WellDepth()).Evaluate(r.squaredNorm(), rho);
       result.cost += 0.5 * rho[0];
       const Vector6d half_slope = J.transpose() * r;  // of |r|^2
       gradient_of_scan += rho[1] * half_slope;
       result.hessian += rho[1] * J.transpose() * J;
-      if (with_scatter) {
-        result.curvature +=
-            rho[1] * J.transpose() * J + 2.0 * rho[2] * half_slope * half_slope.transpose();
-      }
+      result.curvature +=
+          rho[1] * J.transpose() * J + 2.0 * rho[2] * half_slope * half_slope.transpose();
     }
     result.gradient += gradient_of_scan;
-    if (with_scatter) result.scatter += gradient_of_scan * gradient_of_scan.transpose();
+    result.scatter += gradient_of_scan * gradient_of_scan.transpose();
   }
   return result;
 }
 
-NdtQuadratic CondensedNdtCost::Quadratic(const double* pose, bool with_scatter) const {
-  return derivatives_ == NdtDerivatives::kAnalytic ? AnalyticQuadratic(pose, with_scatter)
-                                                   : AutodiffQuadratic(pose, with_scatter);
+const NdtQuadratic& CondensedNdtCost::At(const double* pose) const {
+  const auto is_here = [pose](const Evaluation& known) {
+    return std::equal(known.pose.begin(), known.pose.end(), pose);
+  };
+  const auto known = std::find_if(evaluations_.begin(), evaluations_.end(), is_here);
+  if (known != evaluations_.end()) return known->quadratic;
+  if (evaluations_.size() < 2) evaluations_.emplace_back();
+  std::swap(evaluations_.front(), evaluations_.back());
+  Evaluation& latest = evaluations_.front();
+  std::copy_n(pose, latest.pose.size(), latest.pose.begin());
+  latest.quadratic =
+      derivatives_ == NdtDerivatives::kAnalytic ? AnalyticQuadratic(pose) : AutodiffQuadratic(pose);
+  return latest.quadratic;
 }
+
+NdtQuadratic CondensedNdtCost::Quadratic(const double* pose) const { return At(pose); }
 
 bool CondensedNdtCost::Evaluate(double const* const* parameters,
                                 double* residuals,
@@ -266,10 +209,10 @@ bool CondensedNdtCost::Evaluate(double const* const* parameters,
   if (jacobians == nullptr || jacobians[0] == nullptr) {
     // Without derivatives only |r| matters: a trial step asks for the cost alone.
     r.setZero();
-    r[6] = std::sqrt(2.0 * (Cost(pose) + offset_));
+    r[6] = std::sqrt(2.0 * (At(pose).cost + offset_));
     return std::isfinite(r[6]);
   }
-  const NdtQuadratic quadratic = Quadratic(pose, /*with_scatter=*/false);
+  const NdtQuadratic& quadratic = At(pose);
   // A scan may leave directions unobserved: a tiny multiple of the identity keeps H invertible.
   Matrix6d H = quadratic.hessian;
   H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());

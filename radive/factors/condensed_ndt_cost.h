@@ -10,6 +10,8 @@
 
 #include "radive/factors/ndt_cost_options.h"
 #include "radive/geometry/gaussian3.h"
+#include "radive/geometry/rigid3.h"
+#include "radive/kernels/ndt_packs.h"
 #include "radive/ndt/distance_bounded_pairs.h"
 
 namespace radive {
@@ -22,7 +24,7 @@ struct NdtQuadratic {
   Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> hessian = Eigen::Matrix<double, 6, 6>::Zero();  // PSD approximation
 
-  // Filled on request, for the covariance of the minimum as that of a robust M-estimator,
+  // For the covariance of the minimum as that of a robust M-estimator,
   // curvature^-1 scatter curvature^-1:
   //
   // The second derivative of the cost with Sigma held fixed. It is smaller than `hessian` by the
@@ -45,7 +47,9 @@ struct NdtQuadratic {
 // (H + lambda diag H) dx = -g with the true cost deciding on acceptance. C0 = sum of w k_c is
 // constant; it keeps the root real.
 //
-// One block a pair costs five times as much in Ceres' bookkeeping alone.
+// One block a pair costs five times as much in Ceres' bookkeeping alone. The sums are formed by
+// kernels (radive/kernels/), four scan Gaussians at a time. The last evaluations are kept: an
+// object must not be evaluated by several threads at the same time.
 //
 // Parameter blocks: T_submap_radar [qx qy qz qw tx ty tz] (7). Residuals: 7.
 class CondensedNdtCost : public ceres::SizedCostFunction<7, 7> {
@@ -64,24 +68,22 @@ class CondensedNdtCost : public ceres::SizedCostFunction<7, 7> {
                 double* residuals,
                 double** jacobians) const override;
 
-  // What the block condenses, at `pose`; with_scatter: curvature and scatter as well.
-  NdtQuadratic Quadratic(const double* pose, bool with_scatter) const;
+  // What the block condenses, at `pose`.
+  NdtQuadratic Quadratic(const double* pose) const;
 
   // The constant C0: final costs are reported without it.
   double offset() const { return offset_; }
 
  private:
-  // Everything of a pair that does not change with the pose, side by side for the cache.
-  struct Target {
-    Eigen::Vector3d mean;           // relative to origin_
-    double xx, xy, xz, yy, yz, zz;  // covariance
-    double depth;                   // w k_c (kUnit: w)
-    double factor;                  // kPaper: w (2 pi)^-3/2
+  struct Evaluation {
+    PoseBlock pose;
+    NdtQuadratic quadratic;
   };
 
-  double Cost(const double* pose) const;
-  NdtQuadratic AutodiffQuadratic(const double* pose, bool with_scatter) const;
-  NdtQuadratic AnalyticQuadratic(const double* pose, bool with_scatter) const;
+  void MakePacks();
+  const NdtQuadratic& At(const double* pose) const;
+  NdtQuadratic AutodiffQuadratic(const double* pose) const;
+  NdtQuadratic AnalyticQuadratic(const double* pose) const;
 
   const std::vector<Gaussian3>& scan_;
   const std::vector<Gaussian3>& submap_;
@@ -89,8 +91,16 @@ class CondensedNdtCost : public ceres::SizedCostFunction<7, 7> {
   const Eigen::Vector3d origin_;
   const NdtNormalisation normalisation_;
   const NdtDerivatives derivatives_;
-  std::vector<Target> targets_;  // one a pair
   double offset_ = 0.0;
+
+  // The pairs as the kernels take them, for analytic derivatives.
+  std::vector<Lanes> scan_packs_, pair_packs_;
+  std::vector<int> num_rows_;
+
+  // Levenberg-Marquardt asks for the cost of a trial step and, when it is taken, for the
+  // derivatives there; the covariance is asked for at the last step that was taken. The latest
+  // first.
+  mutable std::vector<Evaluation> evaluations_;
 };
 
 }  // namespace radive

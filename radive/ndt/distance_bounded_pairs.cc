@@ -4,29 +4,24 @@
 #include "radive/ndt/distance_bounded_pairs.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
+
+#include "radive/kernels/kernels.h"
 
 namespace radive {
 namespace {
 
-// Edge of the columns that the submap is sorted into [m]. Small against the usual search radius of
-// 2 to 5 m, so that little is looked at in vain.
-constexpr double kCellSize = 2.0;
+// Width of the strips that the submap is sorted into [m]: about half of the usual search radius.
+constexpr double kStripWidth = 1.5;
 
-std::int64_t CellOf(double coordinate) {
-  return static_cast<std::int64_t>(std::floor(coordinate / kCellSize));
-}
+// Rows that are read beyond the last one.
+constexpr std::size_t kNumSpareRows = 3;
 
-// Scan Gaussian at the pose of the search.
-struct Query {
-  Eigen::Vector3d mean;
-  Eigen::Matrix3d covariance;
-  double max_variance;
-};
+double StripOf(double x) { return std::floor(x / kStripWidth); }
 
 }  // namespace
 
@@ -55,33 +50,198 @@ std::vector<OptionField> PairOptions::Fields() {
 }
 
 double LargestEigenvalue(const Eigen::Matrix3d& m) {
+  // Planar sensors; what they have off the plane is rounding.
+  const double trace = m.trace();
+  if (m(0, 2) * m(0, 2) + m(1, 2) * m(1, 2) <= 1e-24 * trace * trace) {
+    const double half_difference = 0.5 * (m(0, 0) - m(1, 1));
+    const double root = std::sqrt(half_difference * half_difference + m(0, 1) * m(0, 1));
+    return std::max(m(2, 2), 0.5 * (m(0, 0) + m(1, 1)) + root);
+  }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(m, Eigen::EigenvaluesOnly);
   return solver.eigenvalues()[2];
 }
 
-PairSearch::PairSearch(const std::vector<Gaussian3>& submap) : submap_(&submap) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
-  keyed.reserve(submap.size());
-  max_variance_.reserve(submap.size());
-  for (std::size_t i = 0; i < submap.size(); ++i) {
-    keyed.emplace_back(CellKey(CellOf(submap[i].mean.x()), CellOf(submap[i].mean.y()), 0),
-                       static_cast<std::uint32_t>(i));
-    max_variance_.push_back(LargestEigenvalue(submap[i].covariance));
-    max_variance_of_all_ = std::max(max_variance_of_all_, max_variance_.back());
+std::vector<double> LargestVariances(const std::vector<Gaussian3>& gaussians) {
+  std::vector<double> variances;
+  variances.reserve(gaussians.size());
+  for (const Gaussian3& gaussian : gaussians) {
+    variances.push_back(LargestEigenvalue(gaussian.covariance));
   }
-  std::sort(keyed.begin(), keyed.end());
-  order_.reserve(keyed.size());
-  for (std::size_t i = 0; i < keyed.size();) {
-    Range range{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)};
-    const std::uint64_t key = keyed[i].first;
-    for (; i < keyed.size() && keyed[i].first == key; ++i) order_.push_back(keyed[i].second);
-    range.end = static_cast<std::uint32_t>(i);
-    cells_[key] = range;
+  return variances;
+}
+
+PairSearch::PairSearch(const std::vector<Gaussian3>& submap) { Update(submap, 0); }
+
+// Those of the submap from `begin` on, in the order of the rows.
+std::vector<PairSearch::Newcomer> PairSearch::Newcomers(const std::vector<Gaussian3>& submap,
+                                                        std::size_t begin) {
+  std::vector<Newcomer> newcomers;
+  newcomers.reserve(submap.size() - begin);
+  for (std::size_t i = begin; i < submap.size(); ++i) {
+    const Eigen::Vector3d& mean = submap[i].mean;
+    newcomers.push_back({StripOf(mean.x()), mean.y(), static_cast<int>(i)});
+  }
+  std::sort(newcomers.begin(), newcomers.end(), [](const Newcomer& a, const Newcomer& b) {
+    if (a.strip != b.strip) return a.strip < b.strip;
+    return a.y != b.y ? a.y < b.y : a.index < b.index;
+  });
+  return newcomers;
+}
+
+void PairSearch::Rows::SetRow(std::size_t row, const Gaussian3& gaussian, int index_in_submap) {
+  const Eigen::Matrix3d& S = gaussian.covariance;
+  const double values[kNumFields] = {gaussian.mean.x(),
+                                     gaussian.mean.y(),
+                                     gaussian.mean.z(),
+                                     S(0, 0),
+                                     S(0, 1),
+                                     S(0, 2),
+                                     S(1, 1),
+                                     S(1, 2),
+                                     S(2, 2),
+                                     LargestEigenvalue(S)};
+  for (std::size_t i = 0; i < kNumFields; ++i) fields[i][row] = values[i];
+  index[row] = index_in_submap;
+}
+
+void PairSearch::Update(const std::vector<Gaussian3>& submap, std::size_t num_gone) {
+  const std::vector<Newcomer> newcomers = Newcomers(submap, num_rows_ - num_gone);
+  const auto first_left = static_cast<int>(num_gone);
+
+  // Where the rows of those that stay go, in runs, and those of the newcomers.
+  struct Run {
+    std::size_t from, to, size;
+  };
+  std::vector<Run> runs;
+  std::vector<std::size_t> new_rows;
+  std::vector<Strip> strips;
+  std::size_t to = 0;
+  const auto take_old = [&](std::size_t begin, std::size_t end) {
+    if (begin == end) return;
+    runs.push_back({begin, to, end - begin});
+    to += end - begin;
+  };
+  const auto next = [&]() {
+    return newcomers.begin() + static_cast<std::ptrdiff_t>(new_rows.size());
+  };
+  const auto take_strips_before = [&](double number) {
+    while (next() != newcomers.end() && next()->strip < number) {
+      if (strips.empty() || strips.back().number != next()->strip) {
+        strips.push_back({next()->strip, to, to});
+      }
+      new_rows.push_back(to++);
+      strips.back().end = to;
+    }
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const Strip& strip : strips_) {
+    take_strips_before(strip.number);
+    const std::size_t first = to;
+    const auto next_y = [&] {
+      return next() != newcomers.end() && next()->strip == strip.number ? next()->y : kInfinity;
+    };
+    double newcomer_y = next_y();
+    std::size_t begin = strip.begin;
+    for (std::size_t row = strip.begin; row < strip.end; ++row) {
+      const bool is_gone = rows_.index[row] < first_left;
+      const double y = rows_.fields[1][row];
+      if (!is_gone && y <= newcomer_y) continue;
+      take_old(begin, row);
+      begin = is_gone ? row + 1 : row;
+      for (; newcomer_y < y; newcomer_y = next_y()) new_rows.push_back(to++);
+    }
+    take_old(begin, strip.end);
+    for (; newcomer_y < kInfinity; newcomer_y = next_y()) new_rows.push_back(to++);
+    if (to > first) strips.push_back({strip.number, first, to});
+  }
+  take_strips_before(kInfinity);
+
+  const auto move_runs = [&](auto& column, auto& moved) {
+    if (moved.size() < to + kNumSpareRows) moved.resize(to + to / 4 + kNumSpareRows);
+    for (const Run& run : runs) {
+      std::copy_n(column.begin() + static_cast<std::ptrdiff_t>(run.from),
+                  run.size,
+                  moved.begin() + static_cast<std::ptrdiff_t>(run.to));
+    }
+  };
+  for (std::size_t i = 0; i < kNumFields; ++i) move_runs(rows_.fields[i], spare_.fields[i]);
+  move_runs(rows_.index, spare_.index);
+  std::swap(rows_, spare_);
+  for (int& index : rows_.index) index -= first_left;
+  for (std::size_t i = 0; i < newcomers.size(); ++i) {
+    const int index = newcomers[i].index;
+    rows_.SetRow(new_rows[i], submap[static_cast<std::size_t>(index)], index);
+  }
+  submap_ = &submap;
+  num_rows_ = to;
+  strips_ = std::move(strips);
+  max_variance_ = 0.0;
+  for (std::size_t row = 0; row < num_rows_; ++row) {
+    max_variance_ = std::max(max_variance_, rows_.fields[9][row]);
+  }
+}
+
+GaussianColumns PairSearch::Columns() const {
+  GaussianColumns columns;
+  for (std::size_t i = 0; i < 3; ++i) columns.mean[i] = rows_.fields[i].data();
+  for (std::size_t i = 0; i < 6; ++i) columns.covariance[i] = rows_.fields[3 + i].data();
+  columns.max_variance = rows_.fields[9].data();
+  columns.index = rows_.index.data();
+  return columns;
+}
+
+// Calls visit(begin, end) for runs of rows that hold all within a radius of `mean` in x and y, the
+// nearest strips first. visit() returns the radius for what is left.
+template <typename Visit>
+void PairSearch::VisitRuns(const Eigen::Vector3d& mean, double radius, const Visit& visit) const {
+  const double* y = rows_.fields[1].data();
+  const auto visit_between = [&](const double* begin, const double* end, double low, double high) {
+    const double* first = std::lower_bound(begin, end, low);
+    const double* last = std::upper_bound(first, end, high);
+    if (first != last) radius = visit(static_cast<int>(first - y), static_cast<int>(last - y));
+  };
+  auto right = std::lower_bound(
+      strips_.begin(), strips_.end(), StripOf(mean.x()), [](const Strip& strip, double number) {
+        return strip.number < number;
+      });
+  auto left = right;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  while (true) {
+    const double to_right =
+        right == strips_.end() ? kInfinity : right->number * kStripWidth - mean.x();
+    const double to_left = left == strips_.begin()
+                               ? kInfinity
+                               : mean.x() - (std::prev(left)->number + 1.0) * kStripWidth;
+    const double distance = std::max(0.0, std::min(to_right, to_left));
+    if (!(distance <= radius)) return;
+    const Strip& strip = to_right <= to_left ? *right++ : *--left;
+    const double* begin = y + strip.begin;
+    const double* end = y + strip.end;
+    if (distance == 0.0 && radius > kStripWidth) {  // what is near may narrow the rest down
+      const double core = 0.5 * kStripWidth;
+      visit_between(begin, end, mean.y() - core, mean.y() + core);
+      end = std::lower_bound(begin, end, mean.y() - core);
+      visit_between(begin, end, mean.y() - radius, kInfinity);
+      begin = std::upper_bound(end, static_cast<const double*>(y + strip.end), mean.y() + core);
+      end = y + strip.end;
+      visit_between(begin, end, -kInfinity, mean.y() + radius);
+      continue;
+    }
+    const double half = std::sqrt(radius * radius - distance * distance);
+    visit_between(begin, end, mean.y() - half, mean.y() + half);
   }
 }
 
 std::vector<NdtPair> PairSearch::Find(const std::vector<Gaussian3>& scan,
+                                      const Rigid3& T_submap_radar,
+                                      const PairOptions& options,
+                                      double slack) const {
+  return Find(scan, LargestVariances(scan), T_submap_radar, options, slack);
+}
+
+std::vector<NdtPair> PairSearch::Find(const std::vector<Gaussian3>& scan,
+                                      const std::vector<double>& max_variances,
                                       const Rigid3& T_submap_radar,
                                       const PairOptions& options,
                                       double slack) const {
@@ -97,58 +257,42 @@ std::vector<NdtPair> PairSearch::Find(const std::vector<Gaussian3>& scan,
     return pairs;
   }
 
+  const Kernels& kernels = ActiveKernels();
+  const GaussianColumns columns = Columns();
   const Eigen::Matrix3d R = T_submap_radar.RotationMatrix();
-  std::vector<std::pair<double, int>> candidates;  // (squared Mahalanobis distance, submap index)
+  const auto num_kept = static_cast<std::size_t>(options.max_neighbors);
+  std::vector<double> mahalanobis(num_kept);
+  std::vector<int> indices(num_kept == 0 ? submap_->size() : num_kept);
+  pairs.reserve(scan.size() * num_kept);
   for (std::size_t i = 0; i < scan.size(); ++i) {
-    const Query query{R * scan[i].mean + T_submap_radar.translation,
-                      R * scan[i].covariance * R.transpose(),
-                      LargestEigenvalue(scan[i].covariance)};
-    double radius = options.d_max;
+    const Eigen::Vector3d mean = R * scan[i].mean + T_submap_radar.translation;
+    const Eigen::Matrix3d S = R * scan[i].covariance * R.transpose();
+    NearQuery query = {{mean.x(), mean.y(), mean.z()},
+                       {S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2)},
+                       max_variances[i],
+                       options.d_max,
+                       slack,
+                       std::numeric_limits<double>::infinity(),
+                       options.max_neighbors};
     if (options.prune) {
-      const double reach =
-          std::sqrt(options.max_mahalanobis * (query.max_variance + max_variance_of_all_));
-      radius = std::min(radius, slack + reach);
+      query.max_mahalanobis = options.max_mahalanobis;
+      const double reach = std::sqrt(options.max_mahalanobis * (max_variances[i] + max_variance_));
+      query.max_distance = std::min(query.max_distance, slack + reach);
     }
-    candidates.clear();
-    const std::int64_t x_end = CellOf(query.mean.x() + radius);
-    const std::int64_t y_end = CellOf(query.mean.y() + radius);
-    for (std::int64_t x = CellOf(query.mean.x() - radius); x <= x_end; ++x) {
-      for (std::int64_t y = CellOf(query.mean.y() - radius); y <= y_end; ++y) {
-        const auto cell = cells_.find(CellKey(x, y, 0));
-        if (cell == cells_.end()) continue;
-        for (std::uint32_t k = cell->second.begin; k < cell->second.end; ++k) {
-          const std::uint32_t j = order_[k];
-          const Gaussian3& target = (*submap_)[j];
-          const Eigen::Vector3d d = query.mean - target.mean;
-          const double squared = d.squaredNorm();
-          if (squared > radius * radius) continue;
-          if (options.prune) {
-            const double excess = std::max(0.0, std::sqrt(squared) - slack);
-            if (excess * excess >
-                options.max_mahalanobis * (query.max_variance + max_variance_[j])) {
-              continue;
-            }
-          }
-          double m = 0.0;
-          if (options.max_neighbors > 0) {
-            const Eigen::Matrix3d S = query.covariance + target.covariance;
-            m = d.dot(S.inverse() * d);
-          }
-          candidates.emplace_back(m, static_cast<int>(j));
-        }
-      }
-    }
-    const std::size_t keep = static_cast<std::size_t>(options.max_neighbors);
-    if (keep > 0 && candidates.size() > keep) {
-      std::nth_element(candidates.begin(),
-                       candidates.begin() + static_cast<std::ptrdiff_t>(keep),
-                       candidates.end());
-      candidates.resize(keep);
-    }
-    std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-      return a.second < b.second;
+    NearFound found = {mahalanobis.data(), indices.data()};
+    const double largest_variances = max_variances[i] + max_variance_;
+    VisitRuns(mean, query.max_distance, [&](int begin, int end) {
+      kernels.find_near(columns, begin, end, query, &found);
+      if (found.count != options.max_neighbors || found.count == 0) return query.max_distance;
+      // Whatever is further away than this cannot be nearer by Mahalanobis distance.
+      constexpr double kRounding = 1.0 + 1e-9;
+      const double most = found.mahalanobis[found.furthest];
+      return std::min(query.max_distance, kRounding * std::sqrt(most * largest_variances));
     });
-    for (const auto& [m, j] : candidates) pairs.push_back({static_cast<int>(i), j});
+    std::sort(indices.begin(), indices.begin() + found.count);
+    for (int k = 0; k < found.count; ++k) {
+      pairs.push_back({static_cast<int>(i), indices[static_cast<std::size_t>(k)]});
+    }
   }
   return pairs;
 }

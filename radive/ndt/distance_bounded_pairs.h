@@ -3,16 +3,15 @@
 
 #pragma once
 
-#include <tsl/robin_map.h>
-
 #include <Eigen/Core>
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "radive/geometry/gaussian3.h"
 #include "radive/geometry/rigid3.h"
-#include "radive/util/cell_key.h"
+#include "radive/kernels/near_gaussians.h"
 #include "radive/util/option_field.h"
 
 namespace radive {
@@ -46,13 +45,25 @@ struct PairOptions {
   bool IsValid(std::string* error) const { return CheckOptions("pairs", *this, error); }
 };
 
-// Finds pairs against one submap. Building it is linear in the submap; it must not outlive it.
+// Finds pairs against one submap, whose Gaussians may come and go. It must not outlive the submap.
+//
+// The Gaussians are kept in strips along x, sorted by y within each: what is near in x and y is a
+// few runs of neighbours.
 class PairSearch {
  public:
   explicit PairSearch(const std::vector<Gaussian3>& submap);
 
+  // After the submap has lost its first `num_gone` Gaussians and got others at its end: the work is
+  // that of sorting those in. The submap may have moved in memory, not changed otherwise.
+  void Update(const std::vector<Gaussian3>& submap, std::size_t num_gone);
+
   // Pairs for the scan at `T_submap_radar`, sorted by scan index, then submap index. `slack` [m]
-  // replaces options.slack.
+  // replaces options.slack. `max_variances`: LargestEigenvalue() of the scan's covariances.
+  std::vector<NdtPair> Find(const std::vector<Gaussian3>& scan,
+                            const std::vector<double>& max_variances,
+                            const Rigid3& T_submap_radar,
+                            const PairOptions& options,
+                            double slack) const;
   std::vector<NdtPair> Find(const std::vector<Gaussian3>& scan,
                             const Rigid3& T_submap_radar,
                             const PairOptions& options,
@@ -61,17 +72,38 @@ class PairSearch {
   const std::vector<Gaussian3>& submap() const { return *submap_; }
 
  private:
-  struct Range {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
+  static constexpr std::size_t kNumFields = 10;  // mean, covariance, largest variance
+
+  struct Rows {
+    std::array<std::vector<double>, kNumFields> fields;
+    std::vector<int> index;  // in the submap
+
+    void SetRow(std::size_t row, const Gaussian3& gaussian, int index_in_submap);
+  };
+  struct Strip {
+    double number;           // of the strip from the origin, whole
+    std::size_t begin, end;  // rows
+  };
+  struct Newcomer {
+    double strip, y;
+    int index;
   };
 
-  const std::vector<Gaussian3>* submap_;
-  std::vector<double> max_variance_;  // largest eigenvalue of each covariance [m^2]
-  double max_variance_of_all_ = 0.0;
-  std::vector<std::uint32_t> order_;  // submap indices, cell by cell, ascending within a cell
-  tsl::robin_map<std::uint64_t, Range, CellKeyHash> cells_;  // columns of kCellSize x kCellSize
+  static std::vector<Newcomer> Newcomers(const std::vector<Gaussian3>& submap, std::size_t begin);
+  GaussianColumns Columns() const;
+  template <typename Visit>
+  void VisitRuns(const Eigen::Vector3d& mean, double radius, const Visit& visit) const;
+
+  const std::vector<Gaussian3>* submap_ = nullptr;
+  Rows rows_;   // in the order of strips and y, and some more that are not in use
+  Rows spare_;  // to move them to
+  std::size_t num_rows_ = 0;
+  std::vector<Strip> strips_;
+  double max_variance_ = 0.0;  // of all
 };
+
+// LargestEigenvalue() of each covariance [m^2].
+std::vector<double> LargestVariances(const std::vector<Gaussian3>& gaussians);
 
 // Largest eigenvalue of a symmetric positive semidefinite matrix.
 double LargestEigenvalue(const Eigen::Matrix3d& m);

@@ -12,32 +12,34 @@
 namespace radive {
 namespace {
 
-// The points of the last keyframes, as they were measured.
-class RawSubmap : public Submap {
+// The returns of the last keyframes as single Gaussians, as they were measured.
+class PointSubmap : public Submap {
  public:
-  RawSubmap(const SubmapOptions& options, const NdtOptions& ndt, const SensorOptions& sensor)
+  PointSubmap(const SubmapOptions& options, const NdtOptions& ndt, const SensorOptions& sensor)
       : options_(options), ndt_(ndt), sensor_(sensor) {}
 
   void AddKeyframe(Keyframe keyframe) override {
-    Entry entry;
-    if (!ndt_.IsVoxel()) {
-      entry.gaussians =
-          GaussiansOfReturns(keyframe.returns, keyframe.weights, sensor_, ndt_, keyframe.is_planar);
-      const Eigen::Matrix3d R = keyframe.T_world_radar.RotationMatrix();
-      for (Gaussian3& gaussian : entry.gaussians) {
-        gaussian.mean = R * gaussian.mean + keyframe.T_world_radar.translation;
-        gaussian.covariance = R * gaussian.covariance * R.transpose();
-      }
-    } else {
-      entry.points.reserve(keyframe.returns.size());
-      for (const RadarReturn& radar_return : keyframe.returns) {
-        entry.points.push_back(keyframe.T_world_radar * radar_return.position);
-      }
-      entry.weights = std::move(keyframe.weights);
+    std::vector<Gaussian3> gaussians =
+        GaussiansOfReturns(keyframe.returns, keyframe.weights, sensor_, ndt_, keyframe.is_planar);
+    const Eigen::Matrix3d R = keyframe.T_world_radar.RotationMatrix();
+    for (Gaussian3& gaussian : gaussians) {
+      gaussian.mean = R * gaussian.mean + keyframe.T_world_radar.translation;
+      gaussian.covariance = R * gaussian.covariance * R.transpose();
     }
-    window_.push_back(std::move(entry));
-    while (static_cast<int>(window_.size()) > options_.num_keyframes) window_.pop_front();
-    Rebuild();
+    std::size_t num_gone = 0;
+    window_.push_back(gaussians.size());
+    while (static_cast<int>(window_.size()) > options_.num_keyframes) {
+      num_gone += window_.front();
+      window_.pop_front();
+    }
+    gaussians_.erase(gaussians_.begin(),
+                     gaussians_.begin() + static_cast<std::ptrdiff_t>(num_gone));
+    gaussians_.insert(gaussians_.end(), gaussians.begin(), gaussians.end());
+    if (search_ == nullptr) {
+      search_ = std::make_unique<PairSearch>(gaussians_);
+    } else {
+      search_->Update(gaussians_, num_gone);
+    }
   }
 
   void Clear() override {
@@ -49,35 +51,52 @@ class RawSubmap : public Submap {
   const PairSearch* search() const override { return search_.get(); }
 
  private:
-  struct Entry {
-    std::vector<Gaussian3> gaussians;     // kPoint, world frame
-    std::vector<Eigen::Vector3d> points;  // kVoxel, world frame
-    std::vector<double> weights;
-  };
-
-  void Rebuild() {
-    search_.reset();
-    gaussians_.clear();
-    if (!ndt_.IsVoxel()) {
-      for (const Entry& entry : window_) {
-        gaussians_.insert(gaussians_.end(), entry.gaussians.begin(), entry.gaussians.end());
-      }
-    } else {
-      std::vector<Eigen::Vector3d> points;
-      std::vector<double> weights;
-      for (const Entry& entry : window_) {
-        points.insert(points.end(), entry.points.begin(), entry.points.end());
-        weights.insert(weights.end(), entry.weights.begin(), entry.weights.end());
-      }
-      gaussians_ = GaussiansOfVoxels(points, weights, ndt_);
-    }
-    search_ = std::make_unique<PairSearch>(gaussians_);
-  }
-
   const SubmapOptions options_;
   const NdtOptions ndt_;
   const SensorOptions sensor_;
-  std::deque<Entry> window_;
+  std::deque<std::size_t> window_;  // Gaussians of each keyframe
+  std::vector<Gaussian3> gaussians_;
+  std::unique_ptr<PairSearch> search_;
+};
+
+// The voxels of the returns of the last keyframes.
+class VoxelSubmap : public Submap {
+ public:
+  VoxelSubmap(const SubmapOptions& options, const NdtOptions& ndt) : options_(options), ndt_(ndt) {}
+
+  void AddKeyframe(Keyframe keyframe) override {
+    window_.push_back(keyframe.returns.size());
+    for (const RadarReturn& radar_return : keyframe.returns) {
+      points_.push_back(keyframe.T_world_radar * radar_return.position);
+    }
+    weights_.insert(weights_.end(), keyframe.weights.begin(), keyframe.weights.end());
+    while (static_cast<int>(window_.size()) > options_.num_keyframes) {
+      const auto num_gone = static_cast<std::ptrdiff_t>(window_.front());
+      points_.erase(points_.begin(), points_.begin() + num_gone);
+      weights_.erase(weights_.begin(), weights_.begin() + num_gone);
+      window_.pop_front();
+    }
+    search_.reset();
+    gaussians_ = GaussiansOfVoxels(points_, weights_, ndt_);
+    search_ = std::make_unique<PairSearch>(gaussians_);
+  }
+
+  void Clear() override {
+    window_.clear();
+    points_.clear();
+    weights_.clear();
+    search_.reset();
+    gaussians_.clear();
+  }
+
+  const PairSearch* search() const override { return search_.get(); }
+
+ private:
+  const SubmapOptions options_;
+  const NdtOptions ndt_;
+  std::deque<std::size_t> window_;       // returns of each keyframe
+  std::vector<Eigen::Vector3d> points_;  // of all, world frame
+  std::vector<double> weights_;
   std::vector<Gaussian3> gaussians_;
   std::unique_ptr<PairSearch> search_;
 };
@@ -87,7 +106,8 @@ class RawSubmap : public Submap {
 std::unique_ptr<Submap> MakeRawSubmap(const SubmapOptions& options,
                                       const NdtOptions& ndt,
                                       const SensorOptions& sensor) {
-  return std::make_unique<RawSubmap>(options, ndt, sensor);
+  if (ndt.IsVoxel()) return std::make_unique<VoxelSubmap>(options, ndt);
+  return std::make_unique<PointSubmap>(options, ndt, sensor);
 }
 
 std::unique_ptr<Submap> MakeSubmap(const OdometryOptions& options) {

@@ -19,6 +19,7 @@ std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
   if (counts == nullptr) counts = &ignored;
   std::vector<RadarReturn> kept;
   kept.reserve(scan.returns.size());
+  const FieldOfView field_of_view(options);
   for (const RadarReturn& measured : scan.returns) {
     RadarReturn entry = measured;
     if (!entry.position.allFinite()) {
@@ -30,8 +31,8 @@ std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
       continue;
     }
     entry.position = CorrectPosition(entry.position, sensor);
-    if (!InFieldOfView(entry.position, options)) {
-      ++(InRange(entry.position, options) ? counts->out_of_view : counts->out_of_range);
+    if (!field_of_view.Contains(entry.position)) {
+      ++(field_of_view.IsInRange(entry.position) ? counts->out_of_view : counts->out_of_range);
       continue;
     }
     kept.push_back(entry);

@@ -26,9 +26,7 @@ class NdtMatch : public ScanMatch {
     // Ceres asks for a mutable pointer and only evaluates.
     problem->AddResidualBlock(const_cast<CondensedNdtCost*>(&cost_), nullptr, pose);
   }
-  NdtQuadratic Quadratic(const double* pose) const override {
-    return cost_.Quadratic(pose, /*with_scatter=*/true);
-  }
+  NdtQuadratic Quadratic(const double* pose) const override { return cost_.Quadratic(pose); }
   double offset() const override { return cost_.offset(); }
   int num_pairs() const override { return static_cast<int>(pairs_.size()); }
 
@@ -69,16 +67,18 @@ class NdtMatcher : public ScanMatcher {
         origin_(origin),
         is_full_(options.method == RegistrationMethod::kFullNdt),
         pair_options_(is_full_ ? AllThatMatter(pair_options) : pair_options),
-        options_(options) {}
+        options_(options),
+        max_variances_(LargestVariances(scan)) {}
 
   std::unique_ptr<ScanMatch> Associate(const Rigid3& T_submap_radar, double slack) override {
     const double reach = is_full_ ? std::max(slack, options_.max_correction) : slack;
-    return std::make_unique<NdtMatch>(scan_,
-                                      search_.submap(),
-                                      search_.Find(scan_, T_submap_radar, pair_options_, reach),
-                                      origin_,
-                                      options_.normalisation,
-                                      options_.derivatives);
+    return std::make_unique<NdtMatch>(
+        scan_,
+        search_.submap(),
+        search_.Find(scan_, max_variances_, T_submap_radar, pair_options_, reach),
+        origin_,
+        options_.normalisation,
+        options_.derivatives);
   }
   bool associates_each_step() const override { return false; }
 
@@ -89,6 +89,7 @@ class NdtMatcher : public ScanMatcher {
   const bool is_full_;
   const PairOptions pair_options_;
   const RegistrationOptions options_;
+  const std::vector<double> max_variances_;  // of the scan's Gaussians
 };
 
 }  // namespace

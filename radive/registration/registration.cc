@@ -253,6 +253,10 @@ RegistrationResult Register(const RegistrationInput& input,
       problem.AddResidualBlock(factor.get(), nullptr, pose.data());
     }
     const PoseBlock before = pose;
+    // Where other pairs follow, these need not be followed to their minimum.
+    const bool is_last = association + 1 == schedule.num_associations;
+    solver_options.deviation_tolerance =
+        matcher->associates_each_step() ? 0.0 : (is_last ? 1.0 : 5.0) * options.step_deviations;
     const SolveSummary summary = Solve(solver_options, &problem);
     result.num_iterations += summary.num_iterations;
     if (!summary.usable) {
@@ -263,7 +267,7 @@ RegistrationResult Register(const RegistrationInput& input,
 
     const bool has_settled =
         matcher->associates_each_step() && StepLength(before, pose) < options.step_tolerance;
-    if (association + 1 < schedule.num_associations && !has_settled) continue;
+    if (!is_last && !has_settled) continue;
     const NdtQuadratic quadratic = match->Quadratic(pose.data());
     Matrix6d hessian = quadratic.hessian;
     Matrix6d curvature = quadratic.curvature;

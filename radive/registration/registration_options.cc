@@ -28,6 +28,13 @@ std::vector<OptionField> RegistrationOptions::Fields() {
           .AtLeast(1),
       OptionField{"step_tolerance", &step_tolerance, "m, rad", "A shorter step ends the solve."}
           .Above(0.0),
+      OptionField{
+          "step_deviations",
+          &step_deviations,
+          "-",
+          "A step of fewer standard deviations of the pose, as the cost's curvature has them, is "
+          "the last one; before the last search for pairs, one of five times as many; 0: never."}
+          .AtLeast(0.0),
       OptionField{"initial_lm_lambda", &initial_lm_lambda, "-", "First damping of LM."}.Above(0.0),
       OptionField{"min_gaussians", &min_gaussians, "-", "Scans with fewer are not registered."}
           .AtLeast(1),

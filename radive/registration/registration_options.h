@@ -35,6 +35,7 @@ struct RegistrationOptions {
   int num_associations = 2;              // times that pairs are searched; ICP: every step
   int max_iterations = 12;               // LM steps after each association
   double step_tolerance = 1e-4;          // a step shorter than this ends it [m and rad together]
+  double step_deviations = 0.1;          // as does one of so many standard deviations [-]
   double initial_lm_lambda = 1e-4;       // of H + lambda diag(H)
   int min_gaussians = 10;                // fewer in the scan: not registered
   double max_correction = 3.0;           // largest believable distance from the prediction [m]

@@ -23,7 +23,7 @@ class ScanMatch {
   // Adds its residual blocks on `pose` (a pose block); they stay its own.
   virtual void AddTo(ceres::Problem* problem, double* pose) const = 0;
 
-  // Its cost, gradient and curvature at `pose`, with curvature and scatter.
+  // Its cost, derivatives and scatter at `pose`.
   virtual NdtQuadratic Quadratic(const double* pose) const = 0;
 
   // The constant part of the cost that Ceres sees.

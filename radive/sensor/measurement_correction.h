@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "radive/geometry/spherical.h"
 #include "radive/sensor/sensor_options.h"
@@ -20,6 +21,12 @@ inline bool NeedsCorrection(const SensorOptions& sensor) {
 inline Eigen::Vector3d CorrectPosition(const Eigen::Vector3d& p_radar,
                                        const SensorOptions& sensor) {
   if (!NeedsCorrection(sensor)) return p_radar;
+  if (sensor.azimuth_scale == 1.0) {  // a rotation
+    const double cosine = std::cos(sensor.azimuth_offset), sine = std::sin(sensor.azimuth_offset);
+    return sensor.range_scale * Eigen::Vector3d(cosine * p_radar.x() - sine * p_radar.y(),
+                                                sine * p_radar.x() + cosine * p_radar.y(),
+                                                p_radar.z());
+  }
   Spherical s = ToSpherical(p_radar);
   s.range *= sensor.range_scale;
   s.azimuth = sensor.azimuth_scale * s.azimuth + sensor.azimuth_offset;

@@ -4,9 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 
-#include "radive/geometry/spherical.h"
 #include "radive/sensor/sensor_options.h"
 
 namespace radive {
@@ -24,17 +22,20 @@ inline Eigen::Matrix3d PositionCovariance(const Eigen::Vector3d& p_radar,
                                           const SensorOptions& sensor,
                                           bool is_planar = false) {
   const double range_variance = sensor.sigma_range * sensor.sigma_range;
-  const Spherical s = ToSpherical(p_radar);
-  if (!(s.range > 0.0)) return range_variance * Eigen::Matrix3d::Identity();
+  const double range = p_radar.norm();
+  if (!(range > 0.0)) return range_variance * Eigen::Matrix3d::Identity();
 
-  const double cos_azimuth = std::cos(s.azimuth), sin_azimuth = std::sin(s.azimuth);
-  const double cos_elevation = std::cos(s.elevation), sin_elevation = std::sin(s.elevation);
+  const double planar = p_radar.head<2>().norm();
+  const bool is_vertical = !(planar > 0.0);  // then the azimuth is taken as 0
+  const double cos_azimuth = is_vertical ? 1.0 : p_radar.x() / planar;
+  const double sin_azimuth = is_vertical ? 0.0 : p_radar.y() / planar;
+  const double cos_elevation = planar / range, sin_elevation = p_radar.z() / range;
   Eigen::Matrix3d axes;  // columns d, a, e
   axes << cos_elevation * cos_azimuth, -sin_azimuth, -sin_elevation * cos_azimuth,  //
       cos_elevation * sin_azimuth, cos_azimuth, -sin_elevation * sin_azimuth,       //
       sin_elevation, 0.0, cos_elevation;
-  const double sigma_across = s.range * cos_elevation * sensor.sigma_azimuth;
-  const double sigma_up = is_planar ? sensor.sigma_range : s.range * sensor.sigma_elevation;
+  const double sigma_across = range * cos_elevation * sensor.sigma_azimuth;
+  const double sigma_up = is_planar ? sensor.sigma_range : range * sensor.sigma_elevation;
   const Eigen::Vector3d variances(range_variance, sigma_across * sigma_across, sigma_up * sigma_up);
   return axes * variances.asDiagonal() * axes.transpose();
 }

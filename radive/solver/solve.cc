@@ -3,6 +3,7 @@
 
 #include "radive/solver/solve.h"
 
+#include <ceres/iteration_callback.h>
 #include <ceres/solver.h>
 #include <glog/logging.h>
 
@@ -25,6 +26,23 @@ ceres::LinearSolverType LinearSolverType(SolverOptions::LinearSolver linear_solv
   LOG(FATAL) << "no such linear solver: " << static_cast<int>(linear_solver);
   return ceres::DENSE_QR;
 }
+
+// Ends the solve after a step that the covariance can hardly tell from none: for a step dx, twice
+// the decrease of the model is dx' H dx.
+class ShortStepEnd : public ceres::IterationCallback {
+ public:
+  explicit ShortStepEnd(double deviations) : squared_(deviations * deviations) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    const bool is_step = step.iteration > 0 && step.step_is_successful;
+    return is_step && 2.0 * step.cost_change <= squared_ * step.relative_decrease
+               ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+               : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const double squared_;
+};
 
 ceres::Solver::Options CeresOptions(const SolverOptions& options,
                                     const std::vector<ceres::IterationCallback*>& callbacks) {
@@ -55,10 +73,13 @@ SolveSummary Solve(const SolverOptions& options,
                    const std::vector<ceres::IterationCallback*>& callbacks) {
   CHECK(problem != nullptr);
   std::string error;
-  CHECK(options.IsValid(&error)) << error;
+  DCHECK(options.IsValid(&error)) << error;
 
+  ceres::Solver::Options ceres_options = CeresOptions(options, callbacks);
+  ShortStepEnd short_step_end(options.deviation_tolerance);
+  if (options.deviation_tolerance > 0.0) ceres_options.callbacks.push_back(&short_step_end);
   ceres::Solver::Summary ceres_summary;
-  ceres::Solve(CeresOptions(options, callbacks), problem, &ceres_summary);
+  ceres::Solve(ceres_options, problem, &ceres_summary);
 
   SolveSummary summary;
   summary.usable = ceres_summary.IsSolutionUsable();

@@ -15,6 +15,7 @@
 #include "radive/geometry/pose_manifold.h"
 #include "radive/solver/solve.h"
 #include "tests/synthetic_scene.h"
+#include "tests/with_kernels.h"
 
 namespace radive {
 namespace {
@@ -34,6 +35,7 @@ struct Scene {
 Scene RandomScene(int num_submap, bool all_pairs, Random* random) {
   Scene scene;
   scene.submap = testing::RandomGaussians(num_submap, {15.0, 15.0, 3.0}, random);
+  for (Gaussian3& gaussian : scene.submap) gaussian.confidence = random->Uniform(0.2, 1.0);
   scene.T_submap_radar = testing::RandomRigid3(3.0, 30.0, random);
   for (std::size_t i = 0; i < scene.submap.size(); i += 2) {
     Gaussian3 gaussian = testing::Transformed(scene.T_submap_radar.Inverse(), scene.submap[i]);
@@ -92,7 +94,7 @@ SumValue SumOfFactors(const Scene& scene, NdtNormalisation norm, const Rigid3& T
   for (const NdtPair& pair : scene.pairs) {
     const Gaussian3& a = scene.scan[static_cast<std::size_t>(pair.scan)];
     const Gaussian3& b = scene.submap[static_cast<std::size_t>(pair.submap)];
-    const double depth = a.weight * NdtPairFactor(a, b, norm).WellDepth();
+    const double depth = a.weight * b.confidence * NdtPairFactor(a, b, norm).WellDepth();
     problem.AddResidualBlock(
         NdtPairFactor::Create(a, b, norm), new NdtPairLoss(depth), pose.data());
   }
@@ -131,8 +133,7 @@ TEST_P(CondensedNdtCostOf, EqualsTheSumOfPairFactors) {
     for (int j = 0; j < 3; ++j) {
       const Rigid3 T = Near(scene.T_submap_radar, &random);
       const SumValue expected = SumOfFactors(scene, norm(), T);
-      const NdtQuadratic actual =
-          cost.Quadratic(ShiftedBlock(T, origin).data(), /*with_scatter=*/false);
+      const NdtQuadratic actual = cost.Quadratic(ShiftedBlock(T, origin).data());
       EXPECT_NEAR(actual.cost, expected.cost, 1e-9 * expected.cost);
       EXPECT_LE((actual.gradient - expected.gradient).norm(), 1e-9 * expected.gradient.norm());
     }
@@ -147,7 +148,7 @@ TEST_P(CondensedNdtCostOf, BlockHasCostGradientAndMatrixExactly) {
     const CondensedNdtCost cost(
         scene.scan, scene.submap, scene.pairs, origin, norm(), derivatives());
     const PoseBlock pose = ShiftedBlock(Near(scene.T_submap_radar, &random), origin);
-    const NdtQuadratic quadratic = cost.Quadratic(pose.data(), /*with_scatter=*/false);
+    const NdtQuadratic quadratic = cost.Quadratic(pose.data());
     const BlockValue block = Evaluate(cost, pose);
     const double total = quadratic.cost + cost.offset();
     EXPECT_NEAR(0.5 * block.residuals.squaredNorm(), total, 1e-12 * total);
@@ -187,8 +188,8 @@ TEST_P(CondensedNdtCostOf, OriginShiftsTheTranslationOnly) {
   const Eigen::Vector3d origin(100.0, -200.0, 5.0);
   const CondensedNdtCost shifted(
       scene.scan, scene.submap, scene.pairs, origin, norm(), derivatives());
-  const NdtQuadratic expected = plain.Quadratic(ToPoseBlock(T).data(), true);
-  const NdtQuadratic actual = shifted.Quadratic(ShiftedBlock(T, origin).data(), true);
+  const NdtQuadratic expected = plain.Quadratic(ToPoseBlock(T).data());
+  const NdtQuadratic actual = shifted.Quadratic(ShiftedBlock(T, origin).data());
   EXPECT_NEAR(actual.cost, expected.cost, 1e-11 * expected.cost);
   EXPECT_LE((actual.gradient - expected.gradient).norm(), 1e-10 * expected.gradient.norm());
   EXPECT_LE((actual.scatter - expected.scatter).norm(), 1e-10 * expected.scatter.norm());
@@ -203,7 +204,7 @@ TEST_P(CondensedNdtCostOf, PairsOutOfReachCostTheirDepth) {
       scene.scan, scene.submap, scene.pairs, Eigen::Vector3d::Zero(), norm(), derivatives());
   const Rigid3 far{scene.T_submap_radar.rotation, {500.0, 0.0, 0.0}};
   const PoseBlock pose = ToPoseBlock(far);
-  const NdtQuadratic quadratic = cost.Quadratic(pose.data(), true);
+  const NdtQuadratic quadratic = cost.Quadratic(pose.data());
   EXPECT_NEAR(quadratic.cost, cost.offset(), 1e-12 * cost.offset());
   EXPECT_LT(quadratic.gradient.norm() + quadratic.hessian.norm(), 1e-12);
   const BlockValue block = Evaluate(cost, pose);
@@ -228,12 +229,12 @@ TEST_P(CondensedNdtCostOf, ScatterIsOfTheGradientsOfScanGaussians) {
     const std::vector<NdtPair> single = {{i, 0}, {i, 1}};
     const CondensedNdtCost one(
         scene.scan, scene.submap, single, Eigen::Vector3d::Zero(), norm(), derivatives());
-    const Vector6d g = one.Quadratic(pose.data(), false).gradient;
+    const Vector6d g = one.Quadratic(pose.data()).gradient;
     expected += g * g.transpose();
   }
   const CondensedNdtCost both(
       scene.scan, scene.submap, scene.pairs, Eigen::Vector3d::Zero(), norm(), derivatives());
-  const Matrix6d actual = both.Quadratic(pose.data(), true).scatter;
+  const Matrix6d actual = both.Quadratic(pose.data()).scatter;
   EXPECT_LE((actual - expected).norm(), 1e-9 * expected.norm());
 }
 
@@ -245,14 +246,14 @@ TEST_P(CondensedNdtCostOf, CurvatureIsTheSlopeOfTheGradient) {
   const CondensedNdtCost cost(
       scene.scan, scene.submap, scene.pairs, Eigen::Vector3d::Zero(), norm(), derivatives());
   const Rigid3 T = Near(scene.T_submap_radar, &random);
-  const NdtQuadratic quadratic = cost.Quadratic(ToPoseBlock(T).data(), true);
+  const NdtQuadratic quadratic = cost.Quadratic(ToPoseBlock(T).data());
   constexpr double h = 1e-5;
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
     const Vector6d above =
-        cost.Quadratic(ToPoseBlock({T.rotation, T.translation + step}).data(), false).gradient;
+        cost.Quadratic(ToPoseBlock({T.rotation, T.translation + step}).data()).gradient;
     const Vector6d below =
-        cost.Quadratic(ToPoseBlock({T.rotation, T.translation - step}).data(), false).gradient;
+        cost.Quadratic(ToPoseBlock({T.rotation, T.translation - step}).data()).gradient;
     const Eigen::Vector3d slope = ((above - below) / (2.0 * h)).tail<3>();
     const Eigen::Vector3d curvature = quadratic.curvature.block<3, 1>(3, 3 + i);
     const Eigen::Matrix3d hessian = quadratic.hessian.bottomRightCorner<3, 3>();
@@ -271,25 +272,58 @@ INSTANTIATE_TEST_SUITE_P(Normalisations,
                            return norm.param == NdtNormalisation::kPaper ? "Paper" : "Unit";
                          });
 
+// Whatever the processor that the kernels are compiled for.
 TEST_P(AnalyticAndAutodiff, AgreeInCostGradientAndScatter) {
-  Random random(7);
-  for (int i = 0; i < 60; ++i) {
-    const Scene scene = RandomScene(50, /*all_pairs=*/i % 3 == 0, &random);
-    const Eigen::Vector3d origin = scene.T_submap_radar.translation;
-    const PoseBlock pose = ShiftedBlock(Near(scene.T_submap_radar, &random), origin);
-    NdtQuadratic values[2];
-    for (const bool analytic : {false, true}) {
-      const CondensedNdtCost cost(scene.scan,
-                                  scene.submap,
-                                  scene.pairs,
-                                  origin,
-                                  GetParam(),
-                                  analytic ? NdtDerivatives::kAnalytic : NdtDerivatives::kAutodiff);
-      values[analytic] = cost.Quadratic(pose.data(), /*with_scatter=*/true);
+  for (const Kernels* kernels : AvailableKernels()) {
+    SCOPED_TRACE(kernels->name);
+    const testing::WithKernels with_kernels(*kernels);
+    Random random(7);
+    for (int i = 0; i < 60; ++i) {
+      const Scene scene = RandomScene(50, /*all_pairs=*/i % 3 == 0, &random);
+      const Eigen::Vector3d origin = scene.T_submap_radar.translation;
+      const PoseBlock pose = ShiftedBlock(Near(scene.T_submap_radar, &random), origin);
+      const auto at = [&](NdtDerivatives derivatives) {
+        return CondensedNdtCost(
+                   scene.scan, scene.submap, scene.pairs, origin, GetParam(), derivatives)
+            .Quadratic(pose.data());
+      };
+      const NdtQuadratic expected = at(NdtDerivatives::kAutodiff);
+      const NdtQuadratic actual = at(NdtDerivatives::kAnalytic);
+      EXPECT_NEAR(actual.cost, expected.cost, 1e-9 * expected.cost);
+      EXPECT_LE((actual.gradient - expected.gradient).norm(), 1e-9 * expected.gradient.norm());
+      EXPECT_LE((actual.scatter - expected.scatter).norm(), 1e-9 * expected.scatter.norm());
     }
-    EXPECT_NEAR(values[0].cost, values[1].cost, 1e-9 * values[0].cost);
-    EXPECT_LE((values[0].gradient - values[1].gradient).norm(), 1e-9 * values[0].gradient.norm());
-    EXPECT_LE((values[0].scatter - values[1].scatter).norm(), 1e-9 * values[0].scatter.norm());
+  }
+}
+
+// Gaussians that are no distributions make pairs that count for nothing, beside others that do.
+TEST_P(AnalyticAndAutodiff, PairsOfSingularGaussiansCountForNothing) {
+  for (const Kernels* kernels : AvailableKernels()) {
+    SCOPED_TRACE(kernels->name);
+    const testing::WithKernels with_kernels(*kernels);
+    Random random(10);
+    Scene scene = RandomScene(6, /*all_pairs=*/true, &random);
+    const PoseBlock pose = ToPoseBlock(scene.T_submap_radar);
+    const auto quadratic = [&] {
+      return CondensedNdtCost(scene.scan,
+                              scene.submap,
+                              scene.pairs,
+                              Eigen::Vector3d::Zero(),
+                              GetParam(),
+                              NdtDerivatives::kAnalytic)
+          .Quadratic(pose.data());
+    };
+    const NdtQuadratic expected = quadratic();
+    Gaussian3 singular;
+    singular.covariance.setZero();
+    singular.mean = scene.scan.front().mean;
+    scene.scan.push_back(singular);
+    scene.submap.push_back(singular);
+    scene.pairs.push_back(
+        {static_cast<int>(scene.scan.size()) - 1, static_cast<int>(scene.submap.size()) - 1});
+    const NdtQuadratic actual = quadratic();
+    EXPECT_LE((actual.gradient - expected.gradient).norm(), 1e-12 * expected.gradient.norm());
+    EXPECT_LE((actual.hessian - expected.hessian).norm(), 1e-12 * expected.hessian.norm());
   }
 }
 

@@ -180,6 +180,37 @@ TEST(PairSearch, KeepsTheNearestInMahalanobisDistance) {
   }
 }
 
+// Gaussians that come and go leave what a new search over the same submap has, also where strips
+// empty, and where many have the same coordinates.
+TEST(PairSearch, UpdatedEqualsBuiltAnew) {
+  Random random(8);
+  std::vector<Gaussian3> submap = testing::RandomGaussians(50, {15.0, 15.0, 3.0}, &random);
+  PairSearch updated(submap);
+  for (int i = 0; i < 40; ++i) {
+    const Clouds clouds = RandomClouds(30, 1 + static_cast<int>(random.Index(60)), &random);
+    const std::size_t num_gone = i % 10 == 9 ? submap.size() : random.Index(submap.size() + 1);
+    std::vector<Gaussian3> next(submap.begin() + static_cast<std::ptrdiff_t>(num_gone),
+                                submap.end());
+    next.insert(next.end(), clouds.submap.begin(), clouds.submap.end());
+    next.push_back(next.front());
+    submap = next;
+    updated.Update(submap, num_gone);
+    for (const int max_neighbors : {0, 5}) {
+      PairOptions options = DistanceOnly(6.0);
+      options.max_neighbors = max_neighbors;
+      const auto find = [&](const PairSearch& search) {
+        std::vector<std::pair<int, int>> pairs;
+        for (const NdtPair& pair :
+             search.Find(clouds.scan, clouds.T_submap_radar, options, /*slack=*/0.5)) {
+          pairs.emplace_back(pair.scan, pair.submap);
+        }
+        return pairs;
+      };
+      EXPECT_EQ(find(updated), find(PairSearch(submap)));
+    }
+  }
+}
+
 // Full NDT pays no heed to any bound.
 TEST(PairSearch, NoBoundGivesAllPairs) {
   Random random(5);
@@ -224,6 +255,8 @@ TEST(LargestEigenvalue, OfKnownMatrices) {
   Eigen::Matrix3d m;
   m << 2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.5;
   EXPECT_NEAR(LargestEigenvalue(m), 3.0, 1e-12);
+  m(2, 2) = 3.5;
+  EXPECT_NEAR(LargestEigenvalue(m), 3.5, 1e-12);
   EXPECT_NEAR(LargestEigenvalue(0.05 * Eigen::Matrix3d::Identity()), 0.05, 1e-15);
   Random random(7);
   for (int i = 0; i < 100; ++i) {

@@ -15,6 +15,7 @@
 #include "radive/geometry/spherical.h"
 #include "radive/preprocessing/azimuth_bin_filter.h"
 #include "radive/preprocessing/field_of_view_filter.h"
+#include "radive/util/angle_units.h"
 #include "radive/util/random.h"
 
 namespace radive {
@@ -58,7 +59,34 @@ TEST(GateFieldOfView, KeepsWhatLiesWithinAllBoundsInOrder) {
                                             At(10, 0, 21, 8),
                                             At(49, 29, 19, 9)};
   EXPECT_THAT(Numbers(GateFieldOfView(returns, options)), ElementsAre(1, 5, 9));
-  EXPECT_FALSE(InFieldOfView({kNan, 0.0, 0.0}, options));
+  EXPECT_FALSE(FieldOfView(options).Contains({kNan, 0.0, 0.0}));
+}
+
+// By the angles themselves, for narrow, wide and round limits, also with edges behind the radar.
+TEST(FieldOfView, IsThatOfTheAngles) {
+  Random random(4);
+  for (int i = 0; i < 300; ++i) {
+    PreprocessingOptions options;
+    options.min_range = random.Uniform(0.0, 4.0);
+    options.max_range = random.Uniform(5.0, 12.0);
+    options.min_azimuth = i % 10 == 0 ? -kPi : random.Uniform(-kPi, 1.0);
+    options.max_azimuth = i % 10 < 2 ? kPi : random.Uniform(options.min_azimuth + 0.1, kPi);
+    options.min_elevation = random.Uniform(-0.5 * kPi, 0.0);
+    options.max_elevation = random.Uniform(0.1, 0.5 * kPi);
+    const FieldOfView field_of_view(options);
+    for (int k = 0; k < 50; ++k) {
+      Spherical s;
+      s.range = random.Uniform(0.1, 15.0);
+      s.azimuth = random.Uniform(-kPi, kPi);
+      s.elevation = k == 0 ? 0.5 * kPi : random.Uniform(-0.5 * kPi, 0.5 * kPi);
+      const bool expected = s.range >= options.min_range && s.range <= options.max_range &&
+                            s.azimuth >= options.min_azimuth && s.azimuth <= options.max_azimuth &&
+                            s.elevation >= options.min_elevation &&
+                            s.elevation <= options.max_elevation;
+      EXPECT_EQ(field_of_view.Contains(FromSpherical(s)), expected) << i << " " << k;
+    }
+  }
+  EXPECT_TRUE(FieldOfView(PreprocessingOptions()).Contains({0.0, 0.0, 3.0}));
 }
 
 TEST(GateFieldOfView, LetsAllDirectionsPassByDefault) {

@@ -72,6 +72,7 @@ double MeanNormalisedError(bool planar, int seed) {
   RegistrationOptions options;
   options.max_iterations = 100;
   options.step_tolerance = 1e-6;
+  options.step_deviations = 0.0;
   double sum = 0.0;
   for (int i = 0; i < kNumScans; ++i) {
     const Rigid3 T_true{QuaternionFromRotationVector({0.0, 0.0, random.Uniform(-3.0, 3.0)}),

@@ -298,6 +298,7 @@ TEST(RegisterNdt, AnalyticAndAutodiffAgreeOnRealScans) {
         options.num_associations = 1;
         options.max_iterations = 500;
         options.step_tolerance = 1e-9;
+        options.step_deviations = 0.0;
         results[analytic] = RegisterNdt(
             scans[i], PairSearch(scans[i - 1]), Rigid3(), 0.7, priors, PairOptions(), options);
       }

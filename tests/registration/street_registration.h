@@ -51,6 +51,7 @@ inline RegistrationOptions Patient() {
   RegistrationOptions options;
   options.max_iterations = 100;
   options.step_tolerance = 1e-7;
+  options.step_deviations = 0.0;
   return options;
 }
 
