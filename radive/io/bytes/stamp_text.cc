@@ -5,7 +5,6 @@
 
 #include <charconv>
 #include <cstdlib>
-#include <limits>
 
 #include "radive/util/number_text.h"
 
@@ -76,10 +75,8 @@ std::optional<std::int64_t> ParseStamp(std::string_view text, int unit_exponent)
     const auto [rest, code] = std::from_chars(digits.data(), end, nanoseconds);
     if (code != std::errc() || rest != end) return std::nullopt;
   }
-  if (round_up) {
-    if (nanoseconds == std::numeric_limits<std::int64_t>::max()) return std::nullopt;
-    ++nanoseconds;
-  }
+  if (nanoseconds > kLatestStamp - (round_up ? 1 : 0)) return std::nullopt;
+  if (round_up) ++nanoseconds;
   return decimal->negative ? -nanoseconds : nanoseconds;
 }
 

@@ -35,8 +35,8 @@ constexpr double kLastDate = 1e10;
 constexpr double kLongestPause = 86400.0;
 // Largest step between the numbers of scans in a row: a camera at 30 Hz beside a radar at 1 Hz.
 constexpr double kLargestCounterStep = 30.0;
-// Stands for stamps beyond 292 years [ns].
-constexpr std::int64_t kFarthest = 9'200'000'000'000'000'000;
+// Stands for stamps beyond kLatestStamp [ns].
+constexpr std::int64_t kFarthest = 4'600'000'000'000'000'000;
 // Share of the neighbours with one stamp above which precision was lost [-].
 constexpr double kLostPrecision = 0.2;
 
@@ -185,7 +185,7 @@ void UseRate(const Numbers& numbers, double rate, StampSequence* sequence) {
 }  // namespace
 
 std::int64_t StampAt(double position, double rate) {
-  constexpr double kLatest = 9e18;
+  constexpr double kLatest = 4.6e18;
   const double stamp_ns = position * 1e9 / (rate > 0.0 ? rate : kAssumedRate);
   return std::llround(std::clamp(stamp_ns, -kLatest, kLatest));
 }

@@ -151,7 +151,7 @@ bool ParsePoseTable(std::string_view text,
     int bad = -1;
     if (!SetPose(words, columns, &poses->emplace_back(), &bad)) {
       *error = where + ": expected " +
-               (bad == columns.stamp ? "a stamp within 292 years of zero" : "a finite number") +
+               (bad == columns.stamp ? "a stamp within 146 years of zero" : "a finite number") +
                " in column " + std::to_string(bad + 1) + ", found " +
                Quoted(words[static_cast<std::size_t>(bad)]);
       return false;

@@ -78,7 +78,7 @@ bool ParsePose(std::string_view line,
     return CheckPose(*pose, problem);
   }
   if (!ReadStamp(words[0], v[0], format, pose)) {
-    *problem = "expected a stamp within 292 years of zero, found '" + std::string(words[0]) + "'";
+    *problem = "expected a stamp within 146 years of zero, found '" + std::string(words[0]) + "'";
     return false;
   }
   pose->T_world_body.translation << v[1], v[2], v[3];

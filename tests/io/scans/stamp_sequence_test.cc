@@ -6,6 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "radive/io/bytes/stamp_text.h"
+
 namespace radive {
 namespace {
 
@@ -33,6 +37,15 @@ TEST(ReadStampSequence, TellsTheUnitByTheDate) {
     EXPECT_EQ(sequence.stamps_ns[0], 1700000000000000000) << texts[0];
     EXPECT_EQ(sequence.stamps_ns[1], 1700000000100000000) << texts[1];
     EXPECT_EQ(sequence.doubt, "") << texts[0];
+  }
+}
+
+// Of numbers without any limit the differences stay within 64 bits.
+TEST(ReadStampSequence, TakesStampsOfAnySize) {
+  const StampSequence sequence = Read({"0e4451", "0e4154", "0e4115", "-5e49", "5e49", "1"});
+  ASSERT_EQ(sequence.stamps_ns.size(), 6U);
+  for (const std::int64_t stamp_ns : sequence.stamps_ns) {
+    EXPECT_LE(std::abs(stamp_ns), kLatestStamp);
   }
 }
 
