@@ -16,7 +16,6 @@ real data, which are not part of the project; without them it says so and ends.
 """
 import argparse
 import concurrent.futures
-import glob
 import json
 import os
 import subprocess
@@ -25,24 +24,9 @@ import tempfile
 
 import numpy as np
 
-RADARS = ("2", "3", "1", "4", "all")
-SCENES = ("0061", "0103", "0796", "1094")
+import real_drives
+
 FAULTS = ("as it is", "sign open", "turned", "turned, sign open", "km/h", "cm/s", "zero", "compensated", "shuffled")
-
-
-def sequences(data):
-    for k in RADARS:
-        yield f"radarscenes_105_{k}", "radarscenes/seq105", "radarscenes.yaml", f"input.radar={k}"
-    config = "nuscenes.yaml" if os.path.exists("configs/nuscenes.yaml") else "radarscenes.yaml"
-    for scene in SCENES:
-        for k in ("1", "all"):
-            with open(f"{data}/nuscenes/{scene}/mounts.csv") as f:
-                rows = [line.strip().split(",") for line in f][1:]
-            mounts = ",".join(f"{r[0]},{r[2]},{r[3]},0,0,0,{r[5]}" for r in rows)
-            yield (f"nuscenes_{scene}_{k}", f"nuscenes/{scene}", config,
-                   f"input.radar={k},motion.body=vehicle,sensor.mounts=[{mounts}]")
-    yield "mscrad4r_c0", "mscrad4r-urban-c0", "mscrad4r.yaml", ""
-    yield "tj4d", "tj4dradset-sample", "tj4dradset.yaml", ""
 
 
 def static_doppler(directions, doppler):
@@ -73,57 +57,24 @@ def faulty(doppler, directions, fault, random):
     return doppler
 
 
-def planar_directions(azimuth):
-    return np.stack([np.cos(azimuth), np.sin(azimuth)], 1)
-
-
-def write_radarscenes(source, target, fault, random):
-    """Copies without ground truth: the columns of the odometry and the labels are zero."""
-    for path in glob.glob(source + "/radar*_scans.csv"):
-        with open(path) as f:
-            lines = f.read().splitlines()
-        name = os.path.basename(path)
-        with open(f"{target}/{name}", "w") as f:
-            f.write(lines[0] + "\n")
-            f.writelines(",".join(line.split(",")[:5] + ["0"] * 5) + "\n" for line in lines[1:])
-        points = np.fromfile(path.replace("_scans.csv", "_points.bin"), "<f4").reshape(-1, 5)
-        points[:, 4] = 0
-        for line in lines[1:]:
-            first, count = (int(word) for word in line.split(",")[2:4])
-            scan = points[first:first + count]
-            scan[:, 2] = faulty(scan[:, 2].copy(), planar_directions(scan[:, 1]), fault, random)
-        points.tofile(f"{target}/{name.replace('_scans.csv', '_points.bin')}")
-    for path in glob.glob(source + "/*.csv"):
-        name = os.path.basename(path)
-        if not name.startswith("radar"):
-            with open(path, "rb") as f, open(f"{target}/{name}", "wb") as out:
-                out.write(f.read())
-
-
-def write_raw(source, target, folder, columns, fault, random):
-    os.makedirs(f"{target}/{folder}")
-    for path in sorted(glob.glob(f"{source}/{folder}/*.bin")):
-        points = np.fromfile(path, "<f4").reshape(-1, columns)
-        ranges = np.linalg.norm(points[:, :3], axis=1, keepdims=True)
-        points[:, 3] = faulty(points[:, 3].copy(), points[:, :3] / np.maximum(ranges, 1e-6), fault, random)
-        points.tofile(f"{target}/{folder}/{os.path.basename(path)}")
-
-
-def write_input(name, source, target, fault):
-    random = np.random.default_rng(11)
-    if name.startswith(("radarscenes", "nuscenes")):
-        write_radarscenes(source, target, fault, random)
-    elif name == "tj4d":
-        write_raw(source, target, "velodyne", 8, fault, random)
-    else:
-        write_raw(source, target, "radar", 5, fault, random)
+def disturb(scans, fault, is_polar, random):
+    column = 2 if is_polar else 3
+    for scan in scans:
+        if is_polar:
+            directions = np.stack([np.cos(scan[:, 1]), np.sin(scan[:, 1])], 1)
+        else:
+            directions = scan[:, :3] / np.maximum(np.linalg.norm(scan[:, :3], axis=1, keepdims=True), 1e-6)
+        scan[:, column] = faulty(scan[:, column].copy(), directions, fault, random)
+    return scans
 
 
 def run(args, name, source, config, settings, fault):
     """Trajectory file, warnings, CPU time per scan [ms], notes."""
     out = os.path.join(args.out, f"{name}_{fault.replace(' ', '_').replace('/', '').replace(',', '')}")
     with tempfile.TemporaryDirectory() as scratch:
-        write_input(name, f"{args.shared}/data/{source}", scratch, fault)
+        random = np.random.default_rng(11)
+        real_drives.copy(name, f"{args.shared}/data/{source}", scratch,
+                         lambda scans: disturb(scans, fault, real_drives.is_polar(name), random))
         words = [settings] if settings else []
         if "sign open" in fault:
             words.append("input.doppler_sign=auto")
@@ -188,7 +139,8 @@ def main():
     import ate  # pylint: disable=import-error,import-outside-toplevel
 
     os.makedirs(args.out, exist_ok=True)
-    chosen = [s for s in sequences(f"{args.shared}/data") if s[0].startswith(args.only)]
+    chosen = [s for s in real_drives.sequences(f"{args.shared}/data")
+              if s[0].startswith(args.only) and not s[0].startswith("vod")]  # which has no Doppler
     print("| sequence | fault | ATE (m) | verdict | what run.json says |\n| --- | --- | --- | --- | --- |")
     failed = False
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
