@@ -5,7 +5,7 @@
 elsewhere in the drive, by a copy rotated by 10 degrees, by 10 % of its returns, or left out.
 
 usage: study_scan_faults.py [--bin build/apps/radive_odometry] [--shared ../shared] [--only PREFIX]
-                            [--every N] [--jobs N]
+                            [--every N] [--set stage.field=value,...] [--jobs N]
 
 Prints a Markdown table: the planar error of the trajectory (ATE [m], of drives without ground truth
 against the trajectory of the undisturbed drive; rotation [deg]), and the ratio to the undisturbed
@@ -62,7 +62,8 @@ def run(args, name, source, config, settings, fault):
         real_drives.copy(name, f"{args.shared}/data/{source}", scratch,
                          lambda scans: disturb(scans, fault, args.every, real_drives.is_polar(name)))
         command = [args.bin, "--input", scratch, "--config", f"configs/{config}", "--output", out, "--quiet"]
-        command += ["--set", settings] if settings else []
+        words = [word for word in (settings, args.sets) if word]
+        command += ["--set", ",".join(words)] if words else []
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode:
         raise RuntimeError(f"exit {done.returncode}: {done.stdout.strip()[-200:]}")
@@ -96,6 +97,7 @@ def main():
     parser.add_argument("--shared", default="../shared")
     parser.add_argument("--only", default="")
     parser.add_argument("--every", type=int, default=50)
+    parser.add_argument("--set", default="", dest="sets")
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--out", default=os.path.join(tempfile.gettempdir(), "radive_scan_faults"))
     args = parser.parse_args()

@@ -25,6 +25,11 @@ namespace {
 
 constexpr int kMaxRounds = 6;
 
+// A velocity is believed that differs from the last one by so many times what is usual, or by so
+// much [m/s], besides what the vehicle can accelerate.
+constexpr double kUsualChanges = 5.0;
+constexpr double kSureChange = 0.5;
+
 // The noise that the covariance assumes starts from sigma_doppler, worth this many returns, so that
 // a handful of inliers that agree by chance does not claim to be exact.
 constexpr double kPriorReturns = 10.0;
@@ -101,6 +106,9 @@ EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& retur
 
   EgoVelocity result = Fit(equations, up_radar, gate, ridge, is_planar);
   result.num_returns = equations.size();
+  if (result.reason.empty()) {
+    result.reason = WhyContradictory(equations, result.v_radar, stamp_ns);
+  }
   result.valid = result.reason.empty();
   if (result.valid) {
     const double speed = (equations.basis.transpose() * result.v_radar).norm();
@@ -115,6 +123,23 @@ EgoVelocity EgoVelocityEstimator::Estimate(const std::vector<RadarReturn>& retur
     result.covariance.setZero();
   }
   return result;
+}
+
+std::string EgoVelocityEstimator::WhyContradictory(const DopplerEquations& equations,
+                                                   const Eigen::Vector3d& v_radar,
+                                                   std::int64_t stamp_ns) {
+  if (!last_good_ || options_.temporal_gate == 0.0) return "";
+  const double change = (equations.basis.transpose() * (v_radar - last_good_->v_radar)).norm();
+  const bool is_known = changes_.is_known();
+  const double limit =
+      std::min(std::max(kUsualChanges * changes_.Value(), kSureChange), options_.temporal_gate) +
+      options_.max_acceleration * SecondsSinceLastGood(stamp_ns);
+  changes_.Add(change);
+  if (!is_known || change <= limit) return "";
+  return FormatText(
+      "the velocity differs by %.2f m/s from the last one, at most %.2f after those before",
+      change,
+      limit);
 }
 
 double EgoVelocityEstimator::SecondsSinceLastGood(std::int64_t stamp_ns) const {

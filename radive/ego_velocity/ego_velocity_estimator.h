@@ -15,6 +15,7 @@
 #include "radive/preprocessing/occlusion_options.h"
 #include "radive/sensor/radar_scan.h"
 #include "radive/sensor/sensor_options.h"
+#include "radive/util/recent_median.h"
 
 namespace radive {
 
@@ -52,6 +53,11 @@ class EgoVelocityEstimator {
     Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();  // sum of d d^T over the inliers
   };
 
+  // Holds a velocity against the last one as far as velocities have changed of late: empty, or why
+  // it is not believed. RANSAC's gate is wide, for what a fit may start from.
+  std::string WhyContradictory(const DopplerEquations& equations,
+                               const Eigen::Vector3d& v_radar,
+                               std::int64_t stamp_ns);
   double SecondsSinceLastGood(std::int64_t stamp_ns) const;
   std::optional<VelocityGate> TemporalGate(const DopplerEquations& equations,
                                            std::int64_t stamp_ns) const;
@@ -93,6 +99,7 @@ class EgoVelocityEstimator {
   const Eigen::Vector3d forward_radar_;  // of the vehicle, unit
   std::uint64_t num_scans_ = 0;
   std::optional<LastGood> last_good_;
+  RecentMedian changes_;  // of the horizontal velocity between scans [m/s]
 };
 
 }  // namespace radive

@@ -4,18 +4,12 @@
 #include "radive/odometry/innovation_gate.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
 
 #include "radive/util/angle_units.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
-
-// Scans that the median is taken over, and those that it takes at least.
-constexpr std::size_t kLongestMemory = 100;
-constexpr std::size_t kShortestMemory = 10;
 
 // What is believed however regular the drive was so far: a vehicle that starts to move or to turn.
 constexpr double kSureRotation = 0.02;    // [rad]
@@ -33,15 +27,8 @@ InnovationGate::Innovation InnovationGate::Between(const Rigid3& T_predicted,
 }
 
 InnovationGate::Innovation InnovationGate::Limit() const {
-  const auto median = [this](double Innovation::*component) {
-    std::vector<double> values;
-    for (const Innovation& innovation : innovations_) values.push_back(innovation.*component);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
-  return {std::max(kSureRotation, gate_ * median(&Innovation::rotation)),
-          std::max(kSureTranslation, gate_ * median(&Innovation::translation))};
+  return {std::max(kSureRotation, gate_ * rotations_.Value()),
+          std::max(kSureTranslation, gate_ * translations_.Value())};
 }
 
 std::string InnovationGate::Check(const Rigid3& T_world_last,
@@ -52,10 +39,10 @@ std::string InnovationGate::Check(const Rigid3& T_world_last,
   if (gate_ == 0.0) return "";
   const double intervals = std::max(1.0, num_intervals);
   const Innovation innovation = Between(T_world_predicted, T_world_registered);
-  const bool is_known = innovations_.size() >= kShortestMemory;
+  const bool is_known = rotations_.is_known();
   const Innovation limit = is_known ? Limit() : Innovation{};
-  innovations_.push_back({innovation.rotation / intervals, innovation.translation / intervals});
-  if (innovations_.size() > kLongestMemory) innovations_.pop_front();
+  rotations_.Add(innovation.rotation / intervals);
+  translations_.Add(innovation.translation / intervals);
   const auto is_believed = [&limit, intervals](const Innovation& candidate) {
     return candidate.rotation <= intervals * limit.rotation &&
            candidate.translation <= intervals * limit.translation;

@@ -3,11 +3,11 @@
 
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <string>
 
 #include "radive/geometry/rigid3.h"
+#include "radive/util/recent_median.h"
 
 namespace radive {
 
@@ -48,7 +48,7 @@ class InnovationGate {
   Innovation Limit() const;
 
   const double gate_;
-  std::deque<Innovation> innovations_;  // of the last scans, for one interval each
+  RecentMedian rotations_, translations_;  // innovations of one interval [rad], [m]
   std::optional<Rigid3> T_world_refused_;
   std::optional<Rigid3> T_world_corrected_;
   int num_refused_ = 0;  // one after the other

@@ -192,7 +192,23 @@ void MotionFusion::Add(int radar,
   }
   chain.stamp_ns = stamp_ns;
   chain.T_own_body = T_own_body;
+  MoveTo(stamp_ns, Seconds(interval), velocity);
+}
 
+void MotionFusion::AddPredicted(int radar,
+                                std::int64_t stamp_ns,
+                                const Rigid3& T_own_body,
+                                const Matrix6d& covariance,
+                                const Eigen::Vector3d& velocity) {
+  const auto known = chains_.find(radar);
+  if (known == chains_.end() || known->second.steps.empty() || !IsActive(known->second, stamp_ns)) {
+    Add(radar, stamp_ns, T_own_body, covariance, velocity);
+    return;
+  }
+  MoveTo(stamp_ns, Seconds(stamp_ns - known->second.stamp_ns), velocity);
+}
+
+void MotionFusion::MoveTo(std::int64_t stamp_ns, double interval, const Eigen::Vector3d& velocity) {
   std::int64_t horizon = stamp_ns;
   for (const auto& [number, other] : chains_) {
     if (IsActive(other, stamp_ns)) horizon = std::min(horizon, other.stamp_ns);
@@ -205,8 +221,8 @@ void MotionFusion::Add(int radar,
     T_world_body_ = T_world_body_ * MotionAlong(twist);
     begin_ns = end_ns;
   }
-  covariance_ = Seconds(interval) *
-                TurnedCovariance(T_world_body_.RotationMatrix(), LastRate(stamp_ns).covariance);
+  covariance_ =
+      interval * TurnedCovariance(T_world_body_.RotationMatrix(), LastRate(stamp_ns).covariance);
   velocity_ = velocity;
 }
 

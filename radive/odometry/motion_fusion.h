@@ -44,6 +44,15 @@ class MotionFusion {
            const Matrix6d& covariance,
            const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
 
+  // The same at a scan whose pose is no measurement. Up to some of them in a row say nothing: the
+  // radar's next step begins where it was last measured, else it would take back at full weight
+  // what the prediction was wrong by.
+  void AddPredicted(int radar,
+                    std::int64_t stamp_ns,
+                    const Rigid3& T_own_body,
+                    const Matrix6d& covariance,
+                    const Eigen::Vector3d& velocity = Eigen::Vector3d::Zero());
+
   // At the last stamp; the world is the body's frame at the first one.
   const Rigid3& T_world_body() const { return T_world_body_; }
   // Of the motion in the time between two scans of the last radar, axes of the world frame.
@@ -95,6 +104,8 @@ class MotionFusion {
   // From `begin_ns` to `end_ns`, without the first: the times at which a step begins or ends.
   std::set<std::int64_t> Breaks(std::int64_t begin_ns, std::int64_t end_ns) const;
   void SettleUntil(std::int64_t stamp_ns);
+  // Places the body at `stamp_ns`.
+  void MoveTo(std::int64_t stamp_ns, double interval, const Eigen::Vector3d& velocity);
   void Compare(std::int64_t begin_ns, std::int64_t end_ns);
 
   std::map<int, Chain> chains_;

@@ -103,11 +103,12 @@ void Odometry::Impl::PlaceInWorld(int number, Radar* radar, OdometryResult* resu
         radar->T_body_radar.RotationMatrix(),
         CovarianceAtLever(result->covariance, T_own_radar.rotation * T_radar_body.translation));
   }
-  fusion_.Add(number,
-              result->stamp_ns,
-              T_own_body,
-              result->covariance,
-              radar->T_body_radar.rotation * result->ego_velocity.v_radar);
+  const Eigen::Vector3d velocity = radar->T_body_radar.rotation * result->ego_velocity.v_radar;
+  if (result->status == OdometryResult::Status::kPredicted) {
+    fusion_.AddPredicted(number, result->stamp_ns, T_own_body, result->covariance, velocity);
+  } else {
+    fusion_.Add(number, result->stamp_ns, T_own_body, result->covariance, velocity);
+  }
   if (radars_.size() == 1) {
     result->T_world_body = T_own_body;
   } else {

@@ -191,6 +191,30 @@ TEST(EgoVelocityEstimator, TheGateWidensUntilTheVelocityIsFoundAgain) {
   EXPECT_NEAR(found.v_radar.x(), 15.0, 0.1);
 }
 
+// After a dozen scans of even driving, 2 m/s sideways within 0.1 s (a scan that is turned by 11
+// deg) are no motion: 0.5 m/s and 0.8 m/s by acceleration are believed. RANSAC's gate of 2.3 m/s is
+// wider.
+TEST(EgoVelocityEstimator, BelievesAfterEvenDrivingNoLeap) {
+  for (const double sideways : {1.0, 2.0}) {
+    for (const int num_scans : {3, 12}) {
+      Random random(4);
+      EgoVelocityEstimator estimator(EgoVelocityOptions{}, SensorOptions{});
+      for (int k = 0; k < num_scans; ++k) {
+        const auto even = testing::MakeStaticReturns(100, {10.0, 0.0, 0.0}, {}, &random);
+        ASSERT_TRUE(estimator.Estimate(even, false, k * kTenthSecond).valid);
+      }
+      const auto leap = testing::MakeStaticReturns(100, {10.0, sideways, 0.0}, {}, &random);
+      const EgoVelocity velocity = estimator.Estimate(leap, false, num_scans * kTenthSecond);
+      EXPECT_EQ(velocity.valid, sideways == 1.0 || num_scans == 3) << velocity.reason;
+      if (velocity.valid) continue;
+      EXPECT_THAT(velocity.reason, HasSubstr("at most 1.30 after those before"));
+      // It goes on from the last velocity that was believed.
+      const auto even = testing::MakeStaticReturns(100, {10.0, 0.0, 0.0}, {}, &random);
+      EXPECT_TRUE(estimator.Estimate(even, false, (num_scans + 1) * kTenthSecond).valid);
+    }
+  }
+}
+
 TEST(EgoVelocityEstimator, GivesUpWhenAllReturnsMove) {
   Random random(2);
   auto returns = testing::MakeStaticReturns(100, {10.0, 0.0, 0.0}, {}, &random);

@@ -121,6 +121,48 @@ TEST(MotionFusion, FindsOutWhoDisagrees) {
   EXPECT_LT(std::abs(yaws.back() - yaws[yaws.size() - 1 - kSwing]), 0.005);
 }
 
+// Two radars drive straight on; at one scan the first has no more than a prediction, which is 0.1
+// rad off. Its next step begins at the pose before: nothing of the prediction is left.
+TEST(MotionFusion, WhatIsOnlyPredictedIsNoStep) {
+  for (const bool is_measured : {false, true}) {
+    MotionFusion fusion;
+    for (int k = 0; k < 100; ++k) {
+      const Rigid3 T_own_body = MotionAlong(0.05 * k * Rate(0.0, 5.0));
+      fusion.Add(2, k * 50 * kMs, T_own_body, Covariance(0.001, 0.01));
+      const Rigid3 T_wrong = T_own_body * MotionAlong(Rate(0.1, 0.0));
+      if (k != 50) {
+        fusion.Add(1, k * 50 * kMs, T_own_body, Covariance(0.001, 0.01));
+      } else if (is_measured) {
+        fusion.Add(1, k * 50 * kMs, T_wrong, Covariance(0.001, 0.01));
+      } else {
+        fusion.AddPredicted(1, k * 50 * kMs, T_wrong, Covariance(0.001, 0.01));
+      }
+      const double yaw = RotationVector(fusion.T_world_body().rotation).z();
+      EXPECT_NEAR(yaw, is_measured && k == 50 ? 0.05 : 0.0, 1e-9) << k;
+    }
+  }
+}
+
+// A radar that is lost for long goes on with what it predicts.
+TEST(MotionFusion, LongPredictionsAreSteps) {
+  MotionFusion fusion;
+  for (int k = 0; k < 20; ++k) {
+    const Rigid3 T_own_body = MotionAlong(0.05 * k * Rate(0.0, k < 10 ? 5.0 : 4.0));
+    if (k < 10) {
+      fusion.Add(1, k * 50 * kMs, T_own_body, Covariance(0.001, 0.01));
+    } else {
+      fusion.AddPredicted(1, k * 50 * kMs, T_own_body, Covariance(0.001, 0.01));
+    }
+    // The first two of these go on at 5 m/s; the third is taken.
+    if (k == 11) {
+      EXPECT_NEAR(fusion.T_world_body().translation.x(), 0.05 * 11 * 5.0, 1e-9);
+    }
+    if (k == 12) {
+      EXPECT_NEAR(fusion.T_world_body().translation.x(), 0.05 * 12 * 4.0, 1e-9);
+    }
+  }
+}
+
 // A scan that is unusually sure of itself weighs no more, one that was only predicted weighs less.
 TEST(MotionFusion, BelievesNoSingleScan) {
   MotionFusion fusion;
