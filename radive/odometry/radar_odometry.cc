@@ -107,12 +107,12 @@ void RadarOdometry::Register(const FilteredScan& filtered,
   result->times_ms.registration = stopwatch.Milliseconds() - registration.pair_search_ms;
 }
 
-void RadarOdometry::CheckInnovation(const MotionPrediction& prediction,
+bool RadarOdometry::CheckInnovation(const MotionPrediction& prediction,
                                     double dt,
                                     OdometryResult* result) {
   if (result->status != OdometryResult::Status::kRegistered) {
     gate_.Forget();
-    return;
+    return false;
   }
   const double usual_interval = motion_.usual_interval();
   const double num_intervals = usual_interval > 0.0 ? dt / usual_interval : 1.0;
@@ -121,9 +121,10 @@ void RadarOdometry::CheckInnovation(const MotionPrediction& prediction,
   if (!result->reason.empty()) {
     result->status = OdometryResult::Status::kPredicted;
     result->T_world_radar = prediction.T_world_radar;
-  } else if (gate_.T_world_corrected()) {
-    motion_.MoveTo(*gate_.T_world_corrected());
+    return true;
   }
+  if (gate_.T_world_corrected()) motion_.MoveTo(*gate_.T_world_corrected());
+  return false;
 }
 
 void RadarOdometry::LocateBehindGap(const FilteredScan& filtered,
@@ -177,6 +178,7 @@ void RadarOdometry::Locate(const RadarScan& scan,
   const MotionPrediction prediction = motion_.Predict(velocity, dt);
   // What stands now may have moved since the last pose, when that is some scans ago.
   const double usual_interval = motion_.usual_interval();
+  bool is_refused = false;
   const bool may_have_moved = usual_interval > 0.0 &&
                               motion_.time_since_registered() + dt > 1.5 * usual_interval &&
                               motion_.speed() >= options_.ego_velocity.standing_speed;
@@ -200,13 +202,13 @@ void RadarOdometry::Locate(const RadarScan& scan,
     result->covariance = motion_.covariance();
   } else {
     Register(filtered, prediction, dt, result);
-    CheckInnovation(prediction, dt, result);
+    is_refused = CheckInnovation(prediction, dt, result);
   }
   if (result->status != OdometryResult::Status::kPredicted) return;
   result->covariance = motion_.PredictedCovariance(velocity, dt);
   if (!velocity.valid && scan.has_doppler && options_.ego_velocity.enabled &&
       !velocity.reason.empty() && motion_.UnknownTime(dt) == 0.0) {
-    result->reason = "ego velocity: " + velocity.reason;
+    result->reason = "ego velocity: " + velocity.reason + (is_refused ? "; " + result->reason : "");
   }
 }
 

@@ -58,8 +58,8 @@ class RadarOdometry {
                 const MotionPrediction& prediction,
                 double dt,
                 OdometryResult* result);
-  // Puts a registered scan back to its prediction when it contradicts the motion.
-  void CheckInnovation(const MotionPrediction& prediction, double dt, OdometryResult* result);
+  // Puts a registered scan back to its prediction when it contradicts the motion: true then.
+  bool CheckInnovation(const MotionPrediction& prediction, double dt, OdometryResult* result);
   // Behind a gap in which the motion is unknown: registers the scan as if no time had passed, and
   // where it does not fit the submap as well as scans before did, starts the submap anew.
   void LocateBehindGap(const FilteredScan& filtered, double dt, OdometryResult* result);
