@@ -62,6 +62,9 @@ std::string InnovationGate::Check(const Rigid3& T_world_last,
           intervals * limit.translation);
     }
     T_world_corrected_ = T_world_refused_;
+    // What was usual no longer is: as where a slow turn makes the prediction by Doppler poor.
+    rotations_.Clear();
+    translations_.Clear();
   }
   num_refused_ = 0;
   T_world_refused_.reset();

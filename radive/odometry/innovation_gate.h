@@ -18,7 +18,7 @@ namespace radive {
 // before. A scan that is far beyond it is refused, and the drive goes on at its prediction. When
 // the next scan contradicts the prediction too, but follows from the refused pose by the predicted
 // motion, then both were right: it was the pose before that was wrong, or the vehicle that was
-// quick.
+// quick. What is usual is then learned anew.
 class InnovationGate {
  public:
   // `gate`: largest innovation, in multiples of the median; 0 lets everything pass.

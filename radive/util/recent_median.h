@@ -17,6 +17,7 @@ class RecentMedian {
     values_.push_back(value);
     if (values_.size() > kLongest) values_.pop_front();
   }
+  void Clear() { values_.clear(); }
   // From ten values on.
   bool is_known() const { return values_.size() >= kShortest; }
   // The upper one of two in the middle; 0 without values.

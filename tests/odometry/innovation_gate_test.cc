@@ -111,6 +111,15 @@ TEST(InnovationGate, BelievesTheSecondScanThatFollowsFromTheFirst) {
   EXPECT_FALSE(gate.gate().T_world_corrected());
 }
 
+// Predictions that have become poor are no reason to refuse every other scan.
+TEST(InnovationGate, LearnsAnewAfterARefusalThatWasWrong) {
+  Gate gate(5.0);
+  gate.Learn(0.2, 0.02);
+  int num_refused = 0;
+  for (int i = 0; i < 40; ++i) num_refused += gate.Scan(Turned(1.5)).empty() ? 0 : 1;
+  EXPECT_EQ(num_refused, 1);
+}
+
 // Whatever happens, after three scans registration is believed again.
 TEST(InnovationGate, NeverRefusesForLong) {
   Gate gate(5.0);
