@@ -13,7 +13,7 @@ namespace {
 constexpr double kLongestTime = 2.0;  // [s]
 constexpr int kMostScans = 5;
 // Many short ones: more than this share of a drive.
-constexpr double kLargestShare = 0.5;
+constexpr double kLargestShare = 0.4;
 constexpr int kFewestScans = 20;
 
 }  // namespace
