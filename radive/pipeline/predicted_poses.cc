@@ -11,7 +11,7 @@ namespace {
 
 // Longer than this, and more than so many scans.
 constexpr double kLongestTime = 2.0;  // [s]
-constexpr int kMostScans = 5;
+constexpr int kMostPredicted = 5;
 // Many short ones: more than this share of a drive.
 constexpr double kLargestShare = 0.4;
 constexpr int kFewestScans = 20;
@@ -36,7 +36,7 @@ void PredictedPoses::Add(const OdometryResult& result, const std::string& place)
 
 void PredictedPoses::EndStretch() {
   const double seconds = Seconds(end_ns_) - Seconds(begin_ns_);
-  if (length_ > kMostScans && seconds > kLongestTime) {
+  if (length_ > kMostPredicted && seconds > kLongestTime) {
     counted_.Add("stretches of predicted poses",
                  (place_.empty() ? "" : place_ + ": ") + "from here on " + std::to_string(length_) +
                      FormatText(" scans (%.1f s) were not registered, and their poses are "
