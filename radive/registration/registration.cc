@@ -232,13 +232,18 @@ RegistrationResult Register(const RegistrationInput& input,
   solver_options.max_iterations = schedule.max_iterations;
 
   PoseBlock pose = ToPoseBlock(Shifted(T_prediction, origin));
+  std::unique_ptr<ScanMatch> match;
+  Rigid3 T_match = T_prediction;  // where its pairs were found
   for (int association = 0; association < schedule.num_associations; ++association) {
     const Stopwatch stopwatch;
     Rigid3 T_submap_radar = FromPoseBlock(pose);
     T_submap_radar.translation += origin;
     // After the first solve the pose is far better than the prediction was.
     const double slack_now = association == 0 ? slack : std::min(slack, 0.3);
-    const std::unique_ptr<ScanMatch> match = matcher->Associate(T_submap_radar, slack_now);
+    if (!match || matcher->PairsDiffer(T_match, T_submap_radar)) {
+      match = matcher->Associate(T_submap_radar, slack_now);
+      T_match = T_submap_radar;
+    }
     result.pair_search_ms += stopwatch.Milliseconds();
     result.num_pairs = match->num_pairs();
     if (result.num_pairs < options.min_gaussians) {

@@ -22,7 +22,10 @@ std::vector<OptionField> RegistrationOptions::Fields() {
        "-",
        "How the condensed block forms its derivatives; autodiff is the slow reference."},
       {"planar", &planar, "-", "Estimate a motion in the vehicle's plane only (3 DoF)."},
-      OptionField{"num_associations", &num_associations, "-", "Times that pairs are searched."}
+      OptionField{"num_associations",
+                  &num_associations,
+                  "-",
+                  "Times that pairs are searched; not again where the scan hardly moved."}
           .AtLeast(1),
       OptionField{"max_iterations", &max_iterations, "-", "LM steps after each association."}
           .AtLeast(1),
