@@ -12,7 +12,7 @@
 namespace radive {
 namespace {
 
-constexpr double kSquare = 0.5;  // [m]
+constexpr double kSquare = 0.5;                                             // [m]
 constexpr int kSquares = static_cast<int>(2.0 * kFarthestPoint / kSquare);  // along an axis
 
 }  // namespace

@@ -22,15 +22,16 @@ inline void StoreFloats(Floats floats, float* eight) {
   __builtin_memcpy(eight, &floats, sizeof(floats));
 }
 
-// A point of the scan after with the points `begin` to `end` before, none of which is more than four
-// cells to the left or right of the grid; (x, y): the lower left corner of the grid.
+// A point of the scan after with the points `begin` to `end` before, none of which is more than
+// four cells to the left or right of the grid; (x, y): the lower left corner of the grid.
 inline void AddVotes(
     const VoteColumns& before, int begin, int end, float x, float y, float weight, float* votes) {
   using Unsigned = unsigned int __attribute__((vector_size(32)));
   const Unsigned elsewhere = Unsigned{} + static_cast<unsigned int>(VoteGrids::kElsewhere);
   x -= static_cast<float>(VoteGrids::kLeft);
   y -= static_cast<float>(VoteGrids::kBelow);
-  // Some points first get their cells, then vote: it is slow to take eight numbers out of a register.
+  // Some points first get their cells, then vote: it is slow to take eight numbers out of a
+  // register.
   constexpr int kSome = 64;
   alignas(32) unsigned int cells[kSome];
   alignas(32) float weights[kSome];
@@ -54,7 +55,7 @@ inline void AddVotes(
 // grids empty.
 inline void RaiseToBoxes(const VoteGrids& grids, float* most) {
   constexpr int kStride = VoteGrids::kStride;
-  constexpr int kUsed = 120;  // columns that are read
+  constexpr int kUsed = 120;      // columns that are read
   float high[kUsed], low[kUsed];  // sums over 6 rows of `ahead` and 2 of `aside`
   for (int row = 0; row < VoteGrids::kPlaces; ++row) {
     const int begin = (VoteGrids::kBelow + row) * kStride;

@@ -22,7 +22,7 @@ struct VoteGrids {
 
   // Around those that count are some that do not.
   static constexpr int kLeft = 5, kBelow = 1;
-  static constexpr int kStride = 128;  // from row to row
+  static constexpr int kStride = 128;                             // from row to row
   static constexpr int kElsewhere = (kBelow + kCells) * kStride;  // a cell for all that lie outside
   static constexpr int kSize = kElsewhere + kStride;
 

@@ -18,8 +18,8 @@ TEST(NdtMatcher, PairsDifferOnceAGaussianMovesByAQuarterOfItsDeviation) {
   scan[1].mean = {100.0, 0.0, 0.0};
   scan[1].covariance = 4.0 * Eigen::Matrix3d::Identity();
   const PairSearch search(scan);
-  const auto matcher = MakeNdtMatcher(
-      scan, search, Eigen::Vector3d::Zero(), PairOptions(), RegistrationOptions());
+  const auto matcher =
+      MakeNdtMatcher(scan, search, Eigen::Vector3d::Zero(), PairOptions(), RegistrationOptions());
   const auto differ = [&matcher](double shift, double turn) {
     const Rigid3 from = {QuaternionFromRotationVector({0.0, 0.0, 1.0}), {5.0, 2.0, 0.0}};
     const Rigid3 to = {from.rotation * QuaternionFromRotationVector({0.0, 0.0, turn}),
