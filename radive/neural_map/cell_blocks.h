@@ -56,8 +56,8 @@ class CellBlocks {
           const auto at = block_of_.find(CellKey(x0 + i, y0 + j, z0 + k));
           if (at == block_of_.end()) continue;
           const Block& block = blocks_[at->second];
-          std::uint64_t cells = block.has_number & kAlongX[i][x & 3] & kAlongY[j][y & 3] &
-                                kAlongZ[k][z & 3];
+          std::uint64_t cells =
+              block.has_number & kAlongX[i][x & 3] & kAlongY[j][y & 3] & kAlongZ[k][z & 3];
           for (; cells != 0; cells &= cells - 1) {
             function(block.numbers[static_cast<std::size_t>(__builtin_ctzll(cells))]);
           }
