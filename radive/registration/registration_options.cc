@@ -36,7 +36,7 @@ std::vector<OptionField> RegistrationOptions::Fields() {
           &step_deviations,
           "-",
           "A step of fewer standard deviations of the pose, as the cost's curvature has them, is "
-          "the last one; before the last search for pairs, one of five times as many; 0: never."}
+          "the last one; where other pairs are likely, one of five times as many; 0: never."}
           .AtLeast(0.0),
       OptionField{"initial_lm_lambda", &initial_lm_lambda, "-", "First damping of LM."}.Above(0.0),
       OptionField{"min_gaussians", &min_gaussians, "-", "Scans with fewer are not registered."}

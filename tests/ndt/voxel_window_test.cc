@@ -16,8 +16,7 @@ namespace {
 
 std::vector<Gaussian3> Sorted(std::vector<Gaussian3> gaussians) {
   std::sort(gaussians.begin(), gaussians.end(), [](const Gaussian3& a, const Gaussian3& b) {
-    return std::lexicographical_compare(
-        a.mean.begin(), a.mean.end(), b.mean.begin(), b.mean.end());
+    return std::lexicographical_compare(a.mean.begin(), a.mean.end(), b.mean.begin(), b.mean.end());
   });
   return gaussians;
 }
