@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that RaDiVe needs and that are missing. Says nothing when none is.
-# Works as root, or through sudo.
+# Works as root, or through sudo. With --tests also those that single tests need, which skip without.
 set -euo pipefail
 
 packages=(
@@ -10,6 +10,7 @@ packages=(
   zlib1g-dev locales pkg-config python3 python3-numpy python3-matplotlib python3-rosbag
   python3-h5py
 )
+if [[ ${1:-} == --tests ]]; then packages+=(slurm-wlm munge chromium); fi
 
 missing=()
 for package in "${packages[@]}"; do

@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/registration/street_scene.h"
+#include "radive/ego_velocity/displacement_votes.h"
 #include "radive/ego_velocity/velocity_ransac.h"
 #include "radive/factors/condensed_ndt_cost.h"
 #include "tests/ego_velocity/made_returns.h"
@@ -105,6 +106,21 @@ void BM_SumWithinGate(benchmark::State& state) {
   CountOperations(state, kOperationsOfGated * columns.size);
 }
 BENCHMARK(BM_SumWithinGate)->ArgName("kernels")->Arg(0)->Arg(1);
+
+// Two scans of 300 points in a square of 60 m, 11 turns.
+void BM_DisplacementVotes(benchmark::State& state) {
+  const testing::WithKernels with_kernels(KernelsOf(state));
+  Random random(1);
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < 2000; ++i) {
+    points.emplace_back(random.Uniform(-30.0, 30.0), random.Uniform(-30.0, 30.0));
+  }
+  const VotingPoints voting = MakeVotingPoints(points, 300);
+  for (auto _ : state) benchmark::DoNotOptimize(DisplacementVotes(voting, voting, 0.1));
+  state.SetItemsProcessed(state.iterations() * 11);
+  state.SetLabel(KernelsOf(state).name);
+}
+BENCHMARK(BM_DisplacementVotes)->ArgName("kernels")->Arg(0)->Arg(1);
 
 }  // namespace
 }  // namespace radive

@@ -3,14 +3,13 @@
 
 #include "radive/ego_velocity/displacement_votes.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
-#include <tuple>
 
-#include "radive/util/random.h"
+#include "radive/ego_velocity/spread_points.h"
+#include "radive/kernels/kernels.h"
 
 namespace radive {
 namespace {
@@ -18,132 +17,121 @@ namespace {
 constexpr double kCell = 0.25;      // of the grid of displacements [m]
 constexpr double kTurnStep = 0.02;  // [rad]
 
-// Points meet within these distances along and across the line of sight: ranges are measured more
-// precisely than angles [cells, to both sides together].
-constexpr int kAlongCells = 2;
-constexpr int kAcrossCells = 6;
-
-// Votes are counted this far beyond the reach, so that each displacement has its whole box.
-constexpr int kMargin = kAcrossCells / 2;
 constexpr int kReachCells = static_cast<int>(DisplacementVotes::kReach / kCell);
-constexpr int kPlaces = 2 * kReachCells + 1;               // displacements along an axis
-constexpr int kCorners = 2 * (kReachCells + kMargin) + 1;  // of the cells that are counted
-constexpr double kCounted = (kReachCells + kMargin) * kCell;
+constexpr int kPlaces = 2 * kReachCells + 1;  // displacements along an axis
 
 // The top around the most votes [cells to each side, share of them].
 constexpr int kTop = 6;
 constexpr double kTopShare = 0.85;
 
-constexpr double kSquare = 0.5;     // of which one point is kept [m]
-constexpr double kNearby = 2.0;     // neighbours share their weight [m]
-constexpr double kFarthest = 80.0;  // [m]
+constexpr double kNearby = 2.0;  // neighbours share their weight [m]
 
-struct WeightedPoint {
-  Eigen::Vector2d position;
-  float weight;
-};
+// Of kPlaces and VoteGrids: the reach, and half a box to each side.
+static_assert(kPlaces == VoteGrids::kPlaces);
+constexpr double kCounted = 0.5 * VoteGrids::kCells * kCell;
 
-std::size_t Corner(int column, int row) {
-  return static_cast<std::size_t>(row * kCorners + column);
-}
+// Points of a scan that are turned, in cells. Those before are in bins along x, so that few of them
+// are looked at for a point after.
+class TurnedPoints {
+ public:
+  explicit TurnedPoints(const VotingPoints& points)
+      : points_(points),
+        turned_(points.positions.size()),
+        columns_(3 * (points.positions.size() + kSpare)) {}
 
-std::vector<WeightedPoint> Turned(const VotingPoints& points, double angle) {
-  const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).toRotationMatrix();
-  std::vector<WeightedPoint> turned;
-  turned.reserve(points.positions.size());
-  for (std::size_t i = 0; i < points.positions.size(); ++i) {
-    turned.push_back({R * points.positions[i], static_cast<float>(points.weights[i])});
-  }
-  return turned;
-}
-
-// The votes of one turn as sums to the left of and below each corner, so that those in a box take
-// four numbers: of points that lie ahead or behind, and of points to the sides.
-struct VoteSums {
-  std::vector<float> ahead = std::vector<float>(Corner(0, kCorners));
-  std::vector<float> aside = std::vector<float>(Corner(0, kCorners));
-};
-
-void SumUp(std::vector<float>* votes) {
-  for (int row = 1; row < kCorners; ++row) {
-    float of_row = 0.0F;
-    for (int column = 1; column < kCorners; ++column) {
-      of_row += (*votes)[Corner(column, row)];
-      (*votes)[Corner(column, row)] = of_row + (*votes)[Corner(column, row - 1)];
+  void Turn(double angle) {
+    const double cosine = std::cos(angle) / kCell, sine = std::sin(angle) / kCell;
+    for (std::size_t i = 0; i < turned_.size(); ++i) {
+      const Eigen::Vector2d& p = points_.positions[i];
+      turned_[i] = {static_cast<float>(cosine * p.x() - sine * p.y()),
+                    static_cast<float>(sine * p.x() + cosine * p.y())};
     }
   }
-}
 
-VoteSums CountVotes(std::vector<WeightedPoint> before, const std::vector<WeightedPoint>& after) {
-  std::sort(before.begin(), before.end(), [](const WeightedPoint& a, const WeightedPoint& b) {
-    return std::make_tuple(a.position.x(), a.position.y()) <
-           std::make_tuple(b.position.x(), b.position.y());
-  });
-  VoteSums sums;
-  for (const WeightedPoint& p_after : after) {
-    const Eigen::Vector2d& p = p_after.position;
-    std::vector<float>& votes = std::abs(p.x()) > std::abs(p.y()) ? sums.ahead : sums.aside;
-    auto p_before = std::lower_bound(
-        before.begin(), before.end(), p.x() - kCounted, [](const WeightedPoint& a, double x) {
-          return a.position.x() < x;
-        });
-    for (; p_before != before.end(); ++p_before) {
-      const Eigen::Vector2d cell =
-          (p_before->position - p + Eigen::Vector2d::Constant(kCounted)) / kCell;
-      if (cell.x() >= kCorners - 1) break;
-      if (cell.y() < 0.0 || cell.y() >= kCorners - 1) continue;
-      votes[Corner(static_cast<int>(cell.x()) + 1, static_cast<int>(cell.y()) + 1)] +=
-          p_before->weight * p_after.weight;
+  void SortIntoBins() {
+    begins_.fill(0);
+    for (const Eigen::Vector2f& p : turned_) ++begins_[BinOf(p.x()) + 1];
+    std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+    std::array<int, kNumBins + 1> next = begins_;
+    float* x = columns_.data();
+    float* y = x + turned_.size() + kSpare;
+    float* weight = y + turned_.size() + kSpare;
+    for (std::size_t i = 0; i < turned_.size(); ++i) {
+      const int row = next[BinOf(turned_[i].x())]++;
+      x[row] = turned_[i].x();
+      y[row] = turned_[i].y();
+      weight[row] = static_cast<float>(points_.weights[i]);
     }
   }
-  SumUp(&sums.ahead);
-  SumUp(&sums.aside);
-  return sums;
-}
 
-// In the box around the corner of a place of the grid of displacements.
-float VotesInBox(const std::vector<float>& sums, int column, int row, int width, int height) {
-  const int left = column + kMargin - width / 2, right = left + width;
-  const int bottom = row + kMargin - height / 2, top = bottom + height;
-  return sums[Corner(right, top)] - sums[Corner(left, top)] - sums[Corner(right, bottom)] +
-         sums[Corner(left, bottom)];
-}
+  // Adds the votes of the points `after` with these.
+  void Vote(const TurnedPoints& after, const VoteGrids& grids) const {
+    const float* x = columns_.data();
+    const float* y = x + turned_.size() + kSpare;
+    const VoteColumns columns = {x, y, y + turned_.size() + kSpare};
+    constexpr float kHalf = 0.5F * VoteGrids::kCells;
+    const Kernels& kernels = ActiveKernels();
+    for (std::size_t i = 0; i < after.turned_.size(); ++i) {
+      const Eigen::Vector2f& p = after.turned_[i];
+      kernels.add_votes(columns,
+                        begins_[BinOf(p.x() - kHalf)],
+                        begins_[BinOf(p.x() + kHalf) + 1],
+                        p.x() - kHalf,
+                        p.y() - kHalf,
+                        static_cast<float>(after.points_.weights[i]),
+                        std::abs(p.x()) > std::abs(p.y()) ? grids.ahead : grids.aside);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kSpare = 7;  // see VoteColumns
+  static constexpr std::size_t kNumBins = 160;
+  static constexpr float kBin =
+      static_cast<float>(2.0 * kFarthestPoint / kCell / kNumBins);  // [cells]
+
+  // What lies outside is in the first or last one.
+  static std::size_t BinOf(float x) {
+    const float bin = std::floor(x / kBin) + 0.5F * kNumBins;
+    return static_cast<std::size_t>(std::clamp(bin, 0.0F, static_cast<float>(kNumBins - 1)));
+  }
+
+  const VotingPoints& points_;
+  std::vector<Eigen::Vector2f> turned_;        // [cells]
+  std::vector<float> columns_;                 // x, y and weight, by bins
+  std::array<int, kNumBins + 1> begins_ = {};  // of the bins
+};
 
 std::size_t Place(int column, int row) { return static_cast<std::size_t>(row * kPlaces + column); }
+
+// How many of the points are nearby each, itself included.
+std::vector<int> CountNearby(const std::vector<Eigen::Vector2d>& points) {
+  std::vector<std::size_t> by_x(points.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+  std::sort(by_x.begin(), by_x.end(), [&points](std::size_t a, std::size_t b) {
+    return points[a].x() < points[b].x();
+  });
+  std::vector<int> counts(points.size(), 1);
+  for (std::size_t i = 0; i < by_x.size(); ++i) {
+    const Eigen::Vector2d& p = points[by_x[i]];
+    for (std::size_t j = i + 1; j < by_x.size(); ++j) {
+      const Eigen::Vector2d difference = points[by_x[j]] - p;
+      if (!(difference.x() < kNearby)) break;
+      if (difference.squaredNorm() >= kNearby * kNearby) continue;
+      ++counts[by_x[i]];
+      ++counts[by_x[j]];
+    }
+  }
+  return counts;
+}
 
 }  // namespace
 
 VotingPoints MakeVotingPoints(const std::vector<Eigen::Vector2d>& points, std::size_t max_count) {
-  struct Entry {
-    std::uint64_t order;
-    std::int64_t column, row;
-    Eigen::Vector2d point;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(points.size());
-  for (const Eigen::Vector2d& p : points) {
-    if (!(p.norm() < kFarthest)) continue;
-    const auto column = static_cast<std::int64_t>(std::floor(p.x() / kSquare));
-    const auto row = static_cast<std::int64_t>(std::floor(p.y() / kSquare));
-    const std::uint64_t square = static_cast<std::uint64_t>(column) << 32U;
-    entries.push_back({Random(square ^ static_cast<std::uint64_t>(row)).Bits(), column, row, p});
-  }
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return std::tie(a.order, a.column, a.row) < std::tie(b.order, b.column, b.row);
-  });
   VotingPoints voting;
-  std::vector<Eigen::Vector2d>& kept = voting.positions;
-  for (std::size_t i = 0; i < entries.size() && kept.size() < max_count; ++i) {
-    const bool is_same =
-        i > 0 && entries[i].column == entries[i - 1].column && entries[i].row == entries[i - 1].row;
-    if (!is_same) kept.push_back(entries[i].point);
+  for (const std::size_t index : SpreadOut(points, max_count)) {
+    voting.positions.push_back(points[index]);
   }
-  for (const Eigen::Vector2d& p : kept) {
-    const auto nearby = std::count_if(kept.begin(), kept.end(), [&p](const Eigen::Vector2d& q) {
-      return (p - q).squaredNorm() < kNearby * kNearby;
-    });
-    voting.weights.push_back(1.0 / static_cast<double>(nearby));
-  }
+  for (const int nearby : CountNearby(voting.positions)) voting.weights.push_back(1.0 / nearby);
   return voting;
 }
 
@@ -153,17 +141,24 @@ DisplacementVotes::DisplacementVotes(const VotingPoints& before,
                                      const VotingPoints& after,
                                      double max_turn)
     : DisplacementVotes() {
+  std::vector<float> ahead(VoteGrids::kSize), aside(VoteGrids::kSize);
+  std::vector<float> most(VoteGrids::kStride * kPlaces);
+  const VoteGrids grids = {ahead.data(), aside.data()};
+  TurnedPoints turned_before(before), turned_after(after);
   const int num_steps = static_cast<int>(std::ceil(max_turn / kTurnStep));
   for (int step = -num_steps; step <= num_steps; ++step) {
     // p_before = R(turn) p_after + t; the chord half-way is R(-turn / 2) t.
     const double half_turn = 0.5 * kTurnStep * step;
-    const VoteSums sums = CountVotes(Turned(before, -half_turn), Turned(after, half_turn));
-    for (int row = 0; row < kPlaces; ++row) {
-      for (int column = 0; column < kPlaces; ++column) {
-        const double votes = VotesInBox(sums.ahead, column, row, kAlongCells, kAcrossCells) +
-                             VotesInBox(sums.aside, column, row, kAcrossCells, kAlongCells);
-        votes_[Place(column, row)] = std::max(votes_[Place(column, row)], votes);
-      }
+    turned_before.Turn(-half_turn);
+    turned_before.SortIntoBins();
+    turned_after.Turn(half_turn);
+    turned_before.Vote(turned_after, grids);
+    ActiveKernels().raise_to_boxes(grids, most.data());
+  }
+  for (int row = 0; row < kPlaces; ++row) {
+    for (int column = 0; column < kPlaces; ++column) {
+      votes_[Place(column, row)] =
+          most[static_cast<std::size_t>(row * VoteGrids::kStride + column)];
     }
   }
   UpdateMean();

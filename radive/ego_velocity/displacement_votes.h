@@ -15,9 +15,7 @@ struct VotingPoints {
   std::vector<double> weights;             // 1 / number of points nearby, itself included [-]
 };
 
-// Of the points in each square of a grid one, at most `max_count` of all, spread over them. The
-// choice depends on the places of the points alone, so two scans keep the same places. Points
-// beyond 80 m, where angles are worth little, are left out.
+// SpreadOut() with their weights.
 VotingPoints MakeVotingPoints(const std::vector<Eigen::Vector2d>& points, std::size_t max_count);
 
 // How well two scans of one radar agree, in the plane, at every displacement of the radar between

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "radive/ego_velocity/spread_points.h"
 #include "radive/preprocessing/preprocess.h"
 
 namespace radive {
 namespace {
 
 constexpr std::size_t kMostPoints = 300;
+constexpr std::size_t kMostCandidates = 4 * kMostPoints;  // that they are chosen from
 
 // Time between the scans of a pair, of a radar that is slow by its Doppler and of any other [s];
 // longer ones than the last are none.
@@ -66,17 +68,31 @@ std::optional<double> Speed(const DopplerFit& fit) {
 
 bool SaysStanding(const DopplerFit& fit) { return Speed(fit).value_or(1e9) < kStandingSpeed; }
 
+std::vector<Eigen::Vector2d> InPlane(const std::vector<RadarReturn>& returns,
+                                     const SensorOptions& sensor) {
+  const Eigen::Matrix<double, 2, 3> R = sensor.T_vehicle_radar().RotationMatrix().topRows<2>();
+  std::vector<Eigen::Vector2d> plane;
+  plane.reserve(returns.size());
+  for (const RadarReturn& ret : returns) plane.emplace_back(R * ret.position);
+  return plane;
+}
+
+// Of a dense scan only as many returns as leave enough in the field of view are looked at.
 VotingPoints PointsOf(const RadarScan& scan,
                       const SensorOptions& sensor,
                       const PreprocessingOptions& preprocessing) {
-  RadarScan points = scan;
+  RadarScan points;
   points.has_doppler = false;  // returns without a number for it count too
-  const Eigen::Matrix3d R_vehicle_radar = sensor.T_vehicle_radar().RotationMatrix();
-  std::vector<Eigen::Vector2d> plane;
-  for (const RadarReturn& ret : CorrectAndGate(points, sensor, preprocessing, nullptr)) {
-    plane.emplace_back((R_vehicle_radar * ret.position).head<2>());
+  points.is_planar = scan.is_planar;
+  if (scan.returns.size() <= kMostCandidates) {
+    points.returns = scan.returns;
+  } else {
+    for (const std::size_t index : SpreadOut(InPlane(scan.returns, sensor), kMostCandidates)) {
+      points.returns.push_back(scan.returns[index]);
+    }
   }
-  return MakeVotingPoints(plane, kMostPoints);
+  return MakeVotingPoints(InPlane(CorrectAndGate(points, sensor, preprocessing, nullptr), sensor),
+                          kMostPoints);
 }
 
 }  // namespace

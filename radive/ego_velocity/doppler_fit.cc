@@ -28,20 +28,19 @@ EgoVelocityOptions FitOptions() {
   return options;
 }
 
-std::vector<RadarReturn> Usable(const std::vector<RadarReturn>& returns) {
-  std::vector<RadarReturn> usable;
-  for (const RadarReturn& ret : returns) {
-    if (ret.position.allFinite() && std::isfinite(ret.doppler)) usable.push_back(ret);
-  }
-  return usable;
+bool IsUsable(const RadarReturn& ret) {
+  return ret.position.allFinite() && std::isfinite(ret.doppler);
 }
 
-// kMostReturns of them at most, evenly from first to last.
-std::vector<RadarReturn> Some(const std::vector<RadarReturn>& returns) {
-  if (returns.size() <= kMostReturns) return returns;
+// kMostReturns of the usable ones at most, evenly from first to last.
+std::vector<RadarReturn> Some(const std::vector<RadarReturn>& returns, std::size_t num_usable) {
+  const std::size_t count = std::min(num_usable, kMostReturns);
   std::vector<RadarReturn> some;
-  for (std::size_t i = 0; i < kMostReturns; ++i) {
-    some.push_back(returns[i * returns.size() / kMostReturns]);
+  some.reserve(count);
+  std::size_t number = 0;  // of the next usable one
+  for (const RadarReturn& ret : returns) {
+    if (some.size() == count) break;
+    if (IsUsable(ret) && number++ == some.size() * num_usable / count) some.push_back(ret);
   }
   return some;
 }
@@ -66,11 +65,12 @@ EgoVelocity Fit(const std::vector<RadarReturn>& returns,
 
 DopplerFit FitDoppler(const RadarScan& scan, const SensorOptions& sensor) {
   DopplerFit result;
-  const std::vector<RadarReturn> usable = Usable(scan.returns);
-  if (usable.empty()) return result;
+  const auto num_usable =
+      static_cast<std::size_t>(std::count_if(scan.returns.begin(), scan.returns.end(), IsUsable));
+  if (num_usable == 0) return result;
   result.share_with_doppler =
-      static_cast<double>(usable.size()) / static_cast<double>(scan.returns.size());
-  std::vector<RadarReturn> returns = Some(usable);
+      static_cast<double>(num_usable) / static_cast<double>(scan.returns.size());
+  std::vector<RadarReturn> returns = Some(scan.returns, num_usable);
   result.num_returns = static_cast<int>(returns.size());
   SensorOptions plain;
   if (sensor.doppler_span > 0.0) {

@@ -13,12 +13,22 @@
 
 namespace radive {
 
-double VelocityDiscrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_radar, double span) {
+namespace {
+
+inline double Discrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_radar, double span) {
   const double range = entry.position.norm();
-  if (!(range > 0.0) || !std::isfinite(range) || !std::isfinite(entry.doppler)) {
+  const double difference = -entry.position.dot(v_radar) / range - entry.doppler;
+  // No number where one of them is none; a range that is not finite may give any.
+  if (!std::isfinite(difference) || !std::isfinite(range)) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::abs(WrapDoppler(-entry.position.dot(v_radar) / range - entry.doppler, span));
+  return std::abs(WrapDoppler(difference, span));
+}
+
+}  // namespace
+
+double VelocityDiscrepancy(const RadarReturn& entry, const Eigen::Vector3d& v_radar, double span) {
+  return Discrepancy(entry, v_radar, span);
 }
 
 double DiscrepancyNoiseScale(const RadarReturn& entry,
@@ -37,7 +47,7 @@ std::vector<double> DiscrepancyWeights(const std::vector<RadarReturn>& returns,
   std::vector<double> weights;
   weights.reserve(returns.size());
   for (const RadarReturn& entry : returns) {
-    weights.push_back(std::exp(-VelocityDiscrepancy(entry, v_radar, span) / scale));
+    weights.push_back(std::exp(-Discrepancy(entry, v_radar, span) / scale));
   }
   return weights;
 }
@@ -50,7 +60,7 @@ std::vector<bool> KeepMask(const std::vector<RadarReturn>& returns,
   std::vector<bool> mask;
   mask.reserve(returns.size());
   for (const RadarReturn& entry : returns) {
-    mask.push_back(VelocityDiscrepancy(entry, v_radar, span) <=
+    mask.push_back(Discrepancy(entry, v_radar, span) <=
                    keep_gate * DiscrepancyNoiseScale(entry, v_radar, noise_ratio));
   }
   return mask;

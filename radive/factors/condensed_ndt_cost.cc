@@ -47,6 +47,24 @@ void SetLane(const Eigen::Vector3d& mean,
   fields[8].value[lane] = covariance(2, 2);
 }
 
+// What steps are taken by: the curvature, with which they converge fast, or as much of the way to
+// it as leaves a share of the hessian in every direction.
+Matrix6d StepMatrix(const NdtQuadratic& quadratic) {
+  constexpr double kSmallestShare = 0.1;
+  const Matrix6d pull = quadratic.hessian - quadratic.curvature;
+  Matrix6d H = quadratic.hessian;
+  for (double part = 1.0; part > 0.0; part -= 0.1) {
+    const Matrix6d rest = (1.0 - kSmallestShare) * quadratic.hessian - part * pull;
+    if (Eigen::LLT<Matrix6d>(rest).info() == Eigen::Success) {
+      H -= part * pull;
+      break;
+    }
+  }
+  // A scan may leave directions unobserved: a tiny multiple of the identity keeps H invertible.
+  H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
+  return H;
+}
+
 }  // namespace
 
 CondensedNdtCost::CondensedNdtCost(const std::vector<Gaussian3>& scan,
@@ -213,9 +231,7 @@ bool CondensedNdtCost::Evaluate(double const* const* parameters,
     return std::isfinite(r[6]);
   }
   const NdtQuadratic& quadratic = At(pose);
-  // A scan may leave directions unobserved: a tiny multiple of the identity keeps H invertible.
-  Matrix6d H = quadratic.hessian;
-  H.diagonal().array() += 1e-9 * (1.0 + H.diagonal().maxCoeff());
+  Matrix6d H = StepMatrix(quadratic);
   Eigen::LLT<Matrix6d> llt(H);
   Vector6d head = llt.matrixL().solve(quadratic.gradient);
   const double total = 2.0 * (quadratic.cost + offset_);

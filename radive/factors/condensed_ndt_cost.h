@@ -44,8 +44,9 @@ struct NdtQuadratic {
 //   r_1..6 = J^-T g,   r_7 = sqrt(2 (C + C0) - |r_1..6|^2),   dr/dT = [J; 0]
 //
 // so that |r|^2 / 2 = C + C0 and J^T r = g exactly, and Levenberg-Marquardt takes the paper's step
-// (H + lambda diag H) dx = -g with the true cost deciding on acceptance. C0 = sum of w k_c is
-// constant; it keeps the root real.
+// (H + lambda diag H) dx = -g with the true cost deciding on acceptance. H is the curvature, so
+// that steps become Newton's near the minimum, or between it and `hessian` where it is too small in
+// some direction. C0 = sum of w k_c is constant; it keeps the root real.
 //
 // One block a pair costs five times as much in Ceres' bookkeeping alone. The sums are formed by
 // kernels (radive/kernels/), four scan Gaussians at a time. The last evaluations are kept: an

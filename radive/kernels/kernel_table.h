@@ -6,6 +6,7 @@
 #include "radive/kernels/doppler_columns.h"
 #include "radive/kernels/ndt_packs.h"
 #include "radive/kernels/near_gaussians.h"
+#include "radive/kernels/vote_columns.h"
 
 namespace radive {
 
@@ -30,6 +31,15 @@ struct Kernels {
                           bool with_rest,
                           DopplerSums* sums,
                           unsigned char* inliers);
+
+  // Of a point after with the points `begin` to `end` before, none of which is more than four cells
+  // to the left or right of the grid; (x, y): the lower left corner of the grid.
+  void (*add_votes)(
+      const VoteColumns& before, int begin, int end, float x, float y, float weight, float* votes);
+
+  // Largest so far of the votes in the boxes of VoteGrids, kPlaces rows of kStride; the grids are
+  // empty afterwards.
+  void (*raise_to_boxes)(const VoteGrids& grids, float* most);
 };
 
 const Kernels* PlainKernels();

@@ -7,6 +7,7 @@
 
 #define RADIVE_KERNELS avx2_kernels
 
+#include "radive/kernels/displacement_votes_kernel.h"
 #include "radive/kernels/doppler_kernel.h"
 #include "radive/kernels/kernel_table.h"
 #include "radive/kernels/ndt_pairs_kernel.h"
@@ -20,7 +21,9 @@ const Kernels* Avx2Kernels() {
                                        avx2_kernels::SumNdtPairs,
                                        avx2_kernels::FindNear,
                                        avx2_kernels::CountWithinGate,
-                                       avx2_kernels::SumWithinGate};
+                                       avx2_kernels::SumWithinGate,
+                                       avx2_kernels::AddVotes,
+                                       avx2_kernels::RaiseToBoxes};
   return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &kKernels : nullptr;
 }
 #else

@@ -3,6 +3,7 @@
 
 #define RADIVE_KERNELS plain_kernels
 
+#include "radive/kernels/displacement_votes_kernel.h"
 #include "radive/kernels/doppler_kernel.h"
 #include "radive/kernels/kernel_table.h"
 #include "radive/kernels/ndt_pairs_kernel.h"
@@ -15,7 +16,9 @@ const Kernels* PlainKernels() {
                                        plain_kernels::SumNdtPairs,
                                        plain_kernels::FindNear,
                                        plain_kernels::CountWithinGate,
-                                       plain_kernels::SumWithinGate};
+                                       plain_kernels::SumWithinGate,
+                                       plain_kernels::AddVotes,
+                                       plain_kernels::RaiseToBoxes};
   return &kKernels;
 }
 

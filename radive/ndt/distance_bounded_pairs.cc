@@ -3,6 +3,8 @@
 
 #include "radive/ndt/distance_bounded_pairs.h"
 
+#include <glog/logging.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -17,6 +19,9 @@ namespace {
 
 // Width of the strips that the submap is sorted into [m]: about half of the usual search radius.
 constexpr double kStripWidth = 1.5;
+
+// Mean number of rows of a bin of a strip.
+constexpr int kRowsOfBin = 2;
 
 // Rows that are read beyond the last one.
 constexpr std::size_t kNumSpareRows = 3;
@@ -71,7 +76,7 @@ std::vector<double> LargestVariances(const std::vector<Gaussian3>& gaussians) {
   return variances;
 }
 
-PairSearch::PairSearch(const std::vector<Gaussian3>& submap) { Update(submap, 0); }
+PairSearch::PairSearch(const std::vector<Gaussian3>& submap) { Update(submap, {}); }
 
 // Those of the submap from `begin` on, in the order of the rows.
 std::vector<PairSearch::Newcomer> PairSearch::Newcomers(const std::vector<Gaussian3>& submap,
@@ -105,9 +110,11 @@ void PairSearch::Rows::SetRow(std::size_t row, const Gaussian3& gaussian, int in
   index[row] = index_in_submap;
 }
 
-void PairSearch::Update(const std::vector<Gaussian3>& submap, std::size_t num_gone) {
-  const std::vector<Newcomer> newcomers = Newcomers(submap, num_rows_ - num_gone);
-  const auto first_left = static_cast<int>(num_gone);
+void PairSearch::Update(const std::vector<Gaussian3>& submap, const std::vector<int>& moved) {
+  CHECK_EQ(moved.size(), num_rows_);
+  const auto num_left =
+      std::count_if(moved.begin(), moved.end(), [](int index) { return index >= 0; });
+  const std::vector<Newcomer> newcomers = Newcomers(submap, static_cast<std::size_t>(num_left));
 
   // Where the rows of those that stay go, in runs, and those of the newcomers.
   struct Run {
@@ -144,7 +151,7 @@ void PairSearch::Update(const std::vector<Gaussian3>& submap, std::size_t num_go
     double newcomer_y = next_y();
     std::size_t begin = strip.begin;
     for (std::size_t row = strip.begin; row < strip.end; ++row) {
-      const bool is_gone = rows_.index[row] < first_left;
+      const bool is_gone = moved[static_cast<std::size_t>(rows_.index[row])] < 0;
       const double y = rows_.fields[1][row];
       if (!is_gone && y <= newcomer_y) continue;
       take_old(begin, row);
@@ -157,18 +164,22 @@ void PairSearch::Update(const std::vector<Gaussian3>& submap, std::size_t num_go
   }
   take_strips_before(kInfinity);
 
-  const auto move_runs = [&](auto& column, auto& moved) {
-    if (moved.size() < to + kNumSpareRows) moved.resize(to + to / 4 + kNumSpareRows);
+  const auto move_runs = [&](auto& column, auto& spare) {
+    if (spare.size() < to + kNumSpareRows) spare.resize(to + to / 4 + kNumSpareRows);
     for (const Run& run : runs) {
       std::copy_n(column.begin() + static_cast<std::ptrdiff_t>(run.from),
                   run.size,
-                  moved.begin() + static_cast<std::ptrdiff_t>(run.to));
+                  spare.begin() + static_cast<std::ptrdiff_t>(run.to));
     }
   };
   for (std::size_t i = 0; i < kNumFields; ++i) move_runs(rows_.fields[i], spare_.fields[i]);
   move_runs(rows_.index, spare_.index);
   std::swap(rows_, spare_);
-  for (int& index : rows_.index) index -= first_left;
+  for (const Run& run : runs) {
+    for (std::size_t row = run.to; row < run.to + run.size; ++row) {
+      rows_.index[row] = moved[static_cast<std::size_t>(rows_.index[row])];
+    }
+  }
   for (std::size_t i = 0; i < newcomers.size(); ++i) {
     const int index = newcomers[i].index;
     rows_.SetRow(new_rows[i], submap[static_cast<std::size_t>(index)], index);
@@ -180,6 +191,43 @@ void PairSearch::Update(const std::vector<Gaussian3>& submap, std::size_t num_go
   for (std::size_t row = 0; row < num_rows_; ++row) {
     max_variance_ = std::max(max_variance_, rows_.fields[9][row]);
   }
+  SortIntoBins();
+}
+
+void PairSearch::SortIntoBins() {
+  const double* y = rows_.fields[1].data();
+  first_rows_.clear();
+  for (Strip& strip : strips_) {
+    strip.first_of_bin = first_rows_.size();
+    strip.num_bins = static_cast<int>(strip.end - strip.begin + kRowsOfBin - 1) / kRowsOfBin;
+    const double width = y[strip.end - 1] - y[strip.begin];
+    strip.inverse_bin = width > 0.0 ? strip.num_bins / width : 0.0;
+    int next_bin = 0;
+    for (std::size_t row = strip.begin; row < strip.end; ++row) {
+      const int bin = BinOf(strip, y[row]);
+      for (; next_bin <= bin; ++next_bin) first_rows_.push_back(static_cast<int>(row));
+    }
+    first_rows_.push_back(static_cast<int>(strip.end));
+  }
+}
+
+// Grows with y.
+inline int PairSearch::BinOf(const Strip& strip, double y) const {
+  const double bin = (y - rows_.fields[1][strip.begin]) * strip.inverse_bin;
+  const double last = strip.num_bins - 1;
+  return static_cast<int>(bin < last ? std::max(0.0, bin) : last);
+}
+
+std::size_t PairSearch::FirstRow(const Strip& strip, double low) const {
+  if (low > rows_.fields[1][strip.end - 1]) return strip.end;
+  return static_cast<std::size_t>(
+      first_rows_[strip.first_of_bin + static_cast<std::size_t>(BinOf(strip, low))]);
+}
+
+std::size_t PairSearch::EndRow(const Strip& strip, double high) const {
+  if (high < rows_.fields[1][strip.begin]) return strip.begin;
+  return static_cast<std::size_t>(
+      first_rows_[strip.first_of_bin + static_cast<std::size_t>(BinOf(strip, high)) + 1]);
 }
 
 GaussianColumns PairSearch::Columns() const {
@@ -195,11 +243,8 @@ GaussianColumns PairSearch::Columns() const {
 // nearest strips first. visit() returns the radius for what is left.
 template <typename Visit>
 void PairSearch::VisitRuns(const Eigen::Vector3d& mean, double radius, const Visit& visit) const {
-  const double* y = rows_.fields[1].data();
-  const auto visit_between = [&](const double* begin, const double* end, double low, double high) {
-    const double* first = std::lower_bound(begin, end, low);
-    const double* last = std::upper_bound(first, end, high);
-    if (first != last) radius = visit(static_cast<int>(first - y), static_cast<int>(last - y));
+  const auto visit_rows = [&](std::size_t begin, std::size_t end) {
+    if (begin < end) radius = visit(static_cast<int>(begin), static_cast<int>(end));
   };
   auto right = std::lower_bound(
       strips_.begin(), strips_.end(), StripOf(mean.x()), [](const Strip& strip, double number) {
@@ -216,20 +261,17 @@ void PairSearch::VisitRuns(const Eigen::Vector3d& mean, double radius, const Vis
     const double distance = std::max(0.0, std::min(to_right, to_left));
     if (!(distance <= radius)) return;
     const Strip& strip = to_right <= to_left ? *right++ : *--left;
-    const double* begin = y + strip.begin;
-    const double* end = y + strip.end;
     if (distance == 0.0 && radius > kStripWidth) {  // what is near may narrow the rest down
       const double core = 0.5 * kStripWidth;
-      visit_between(begin, end, mean.y() - core, mean.y() + core);
-      end = std::lower_bound(begin, end, mean.y() - core);
-      visit_between(begin, end, mean.y() - radius, kInfinity);
-      begin = std::upper_bound(end, static_cast<const double*>(y + strip.end), mean.y() + core);
-      end = y + strip.end;
-      visit_between(begin, end, -kInfinity, mean.y() + radius);
+      const std::size_t begin = FirstRow(strip, mean.y() - core);
+      const std::size_t end = std::max(begin, EndRow(strip, mean.y() + core));
+      visit_rows(begin, end);
+      visit_rows(FirstRow(strip, mean.y() - radius), begin);
+      visit_rows(end, EndRow(strip, mean.y() + radius));
       continue;
     }
     const double half = std::sqrt(radius * radius - distance * distance);
-    visit_between(begin, end, mean.y() - half, mean.y() + half);
+    visit_rows(FirstRow(strip, mean.y() - half), EndRow(strip, mean.y() + half));
   }
 }
 

@@ -48,14 +48,15 @@ struct PairOptions {
 // Finds pairs against one submap, whose Gaussians may come and go. It must not outlive the submap.
 //
 // The Gaussians are kept in strips along x, sorted by y within each: what is near in x and y is a
-// few runs of neighbours.
+// few runs of neighbours, whose ends are looked up in bins.
 class PairSearch {
  public:
   explicit PairSearch(const std::vector<Gaussian3>& submap);
 
-  // After the submap has lost its first `num_gone` Gaussians and got others at its end: the work is
-  // that of sorting those in. The submap may have moved in memory, not changed otherwise.
-  void Update(const std::vector<Gaussian3>& submap, std::size_t num_gone);
+  // After the submap has lost some Gaussians and got others at its end: the work is that of sorting
+  // those in. `moved`: where each one before is now, in the same order, or -1: gone. The submap may
+  // have moved in memory, not changed otherwise.
+  void Update(const std::vector<Gaussian3>& submap, const std::vector<int>& moved);
 
   // Pairs for the scan at `T_submap_radar`, sorted by scan index, then submap index. `slack` [m]
   // replaces options.slack. `max_variances`: LargestEigenvalue() of the scan's covariances.
@@ -83,6 +84,11 @@ class PairSearch {
   struct Strip {
     double number;           // of the strip from the origin, whole
     std::size_t begin, end;  // rows
+
+    // Bins of equal width from the least y to the largest.
+    int num_bins = 0;
+    double inverse_bin = 0.0;      // [1/m]
+    std::size_t first_of_bin = 0;  // in first_rows_
   };
   struct Newcomer {
     double strip, y;
@@ -91,6 +97,11 @@ class PairSearch {
 
   static std::vector<Newcomer> Newcomers(const std::vector<Gaussian3>& submap, std::size_t begin);
   GaussianColumns Columns() const;
+  void SortIntoBins();
+  int BinOf(const Strip& strip, double y) const;
+  // Bounds of the rows of a strip with a y not below, or not above, but for rows of the same bin.
+  std::size_t FirstRow(const Strip& strip, double low) const;
+  std::size_t EndRow(const Strip& strip, double high) const;
   template <typename Visit>
   void VisitRuns(const Eigen::Vector3d& mean, double radius, const Visit& visit) const;
 
@@ -99,7 +110,8 @@ class PairSearch {
   Rows spare_;  // to move them to
   std::size_t num_rows_ = 0;
   std::vector<Strip> strips_;
-  double max_variance_ = 0.0;  // of all
+  std::vector<int> first_rows_;  // of the bins of all strips, each strip's end after its last
+  double max_variance_ = 0.0;    // of all
 };
 
 // LargestEigenvalue() of each covariance [m^2].

@@ -48,6 +48,7 @@ std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns
                                            const Eigen::Vector3d& origin) {
   const double squared_scale = options_.noise_scale * options_.noise_scale;
   last_keyframe_ = index;
+  ++version_;
   std::vector<int> seen;
   for (const MapReturn& entry : returns) {
     if (!entry.position.allFinite()) continue;
@@ -55,25 +56,25 @@ std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns
     if (!(weight > 0.0)) continue;
     const Eigen::Array3d cell = CellOf(entry.position);
     const std::uint64_t key = CellKey(cell.x(), cell.y(), cell.z());
-    const auto [at, is_new] = cells_.try_emplace(key, static_cast<std::int32_t>(points_.size()));
+    int k = InCell(cell);
+    const bool is_new = k < 0;
     if (is_new) {
-      occupied_.Insert(static_cast<std::int64_t>(cell.x()),
-                       static_cast<std::int64_t>(cell.y()),
-                       static_cast<std::int64_t>(cell.z()));
+      k = size();
+      SetInCell(CellOfKey(key), k);
       points_.emplace_back();
       points_.back().position = entry.position;
       points_.back().cell = key;
       points_.back().created = index;
       points_.back().last_update = index;
       features_.resize(features_.size() + static_cast<std::size_t>(options_.feature_dim), 0.0);
-      seen.push_back(at->second);
+      seen.push_back(k);
     }
-    NeuralPoint& point = points_[static_cast<std::size_t>(at->second)];
+    NeuralPoint& point = points_[static_cast<std::size_t>(k)];
     if (!is_new && point.last_update != index) {
       CHECK_GT(index, point.last_update);
       point.last_update = index;
       point.keyframe_weight = 0.0;
-      seen.push_back(at->second);
+      seen.push_back(k);
     }
     if (weight > point.keyframe_weight) {
       point.certainty += weight - point.keyframe_weight;
@@ -88,19 +89,23 @@ std::vector<int> NeuralPoints::AddKeyframe(const std::vector<MapReturn>& returns
     }
   }
   std::sort(seen.begin(), seen.end());
+  for (const int k : seen) MarkChangedAround(k);
   return seen;
 }
 
 void NeuralPoints::Prune(const Eigen::Vector3d& center, int index) {
   const double max_squared_distance = options_.max_distance * options_.max_distance;
   const std::size_t dim = static_cast<std::size_t>(options_.feature_dim);
+  ++version_;
+  std::vector<bool> goes(points_.size());
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    goes[k] = index - points_[k].last_update > options_.max_age ||
+              (points_[k].position - center).squaredNorm() > max_squared_distance;
+    if (goes[k]) MarkChangedAround(static_cast<int>(k));
+  }
   std::size_t kept = 0;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const NeuralPoint& point = points_[k];
-    if (index - point.last_update > options_.max_age ||
-        (point.position - center).squaredNorm() > max_squared_distance) {
-      continue;
-    }
+    if (goes[k]) continue;
     if (kept != k) {
       points_[kept] = points_[k];
       std::copy_n(&features_[k * dim], dim, &features_[kept * dim]);
@@ -117,11 +122,11 @@ void NeuralPoints::Clear() {
   last_keyframe_ = -1;
   points_.clear();
   features_.clear();
-  cells_.clear();
-  occupied_.Clear();
+  cells_.Clear();
 }
 
 void NeuralPoints::Transform(const Rigid3& T_new_old) {
+  ++version_;
   const Eigen::Matrix3d R = T_new_old.RotationMatrix();
   for (NeuralPoint& point : points_) {
     point.position = T_new_old * point.position;
@@ -130,45 +135,85 @@ void NeuralPoints::Transform(const Rigid3& T_new_old) {
     point.to_radar = R * point.to_radar;
     const Eigen::Array3d cell = CellOf(point.position);
     point.cell = CellKey(cell.x(), cell.y(), cell.z());
+    point.last_change = version_;
   }
   Rebuild();
 }
 
 void NeuralPoints::Rebuild() {
-  cells_.clear();
-  occupied_.Clear();
-  for (std::size_t k = points_.size(); k-- > 0;) {
-    const auto [at, is_new] = cells_.try_emplace(points_[k].cell, static_cast<std::int32_t>(k));
-    points_[k].next = is_new ? -1 : at->second;
-    if (!is_new) at.value() = static_cast<std::int32_t>(k);
-    const Eigen::Vector3i cell = CellOfKey(points_[k].cell);
-    occupied_.Insert(cell.x(), cell.y(), cell.z());
+  cells_.Clear();
+  for (int k = size() - 1; k >= 0; --k) {
+    const Eigen::Vector3i cell = CellOfKey(point(k).cell);
+    point(k).next = InCell(cell.cast<double>().array());
+    SetInCell(cell, k);
   }
 }
 
-Neighbors NeuralPoints::Nearest(const Eigen::Vector3d& position, int except) const {
-  Neighbors neighbors;
-  if (!position.allFinite()) return neighbors;
-  ForEachNear(position, [&](int k, double squared_distance) {
-    if (k != except) Insert(k, squared_distance, options_.num_neighbors, &neighbors);
+int NeuralPoints::InCell(const Eigen::Array3d& cell) const {
+  // By way of the key: cells that it does not tell apart are one.
+  const Eigen::Vector3i at = CellOfKey(CellKey(cell.x(), cell.y(), cell.z()));
+  return cells_.Find(at.x(), at.y(), at.z());
+}
+
+void NeuralPoints::SetInCell(const Eigen::Vector3i& cell, int k) {
+  cells_.Set(cell.x(), cell.y(), cell.z(), k);
+}
+
+// Of all that a point of this cell can be within twice the resolution of.
+void NeuralPoints::MarkChangedAround(int k) {
+  const Eigen::Vector3i cell = CellOfKey(point(k).cell);
+  cells_.ForEachAround(cell.x(), cell.y(), cell.z(), [&](int other) {
+    for (; other >= 0; other = point(other).next) point(other).last_change = version_;
   });
+}
+
+void NeuralPoints::FindNear(const Eigen::Vector3d& position, std::vector<NearPoint>* near) const {
+  near->clear();
+  if (!position.allFinite()) return;
+  const Eigen::Array3d cell = CellOf(position);
+  const double max_squared_distance = 4.0 * options_.resolution * options_.resolution;
+  cells_.ForEachAround(static_cast<std::int64_t>(cell.x()),
+                       static_cast<std::int64_t>(cell.y()),
+                       static_cast<std::int64_t>(cell.z()),
+                       [&](int k) {
+                         for (; k >= 0; k = point(k).next) {
+                           const double squared = (point(k).position - position).squaredNorm();
+                           if (squared <= max_squared_distance) near->push_back({k, squared});
+                         }
+                       });
+}
+
+Neighbors NeuralPoints::Nearest(const std::vector<NearPoint>& near, int except) const {
+  Neighbors neighbors;
+  for (const NearPoint& entry : near) {
+    if (entry.index == except) continue;
+    Insert(entry.index, entry.squared_distance, options_.num_neighbors, &neighbors);
+  }
   return neighbors;
 }
 
-double NeuralPoints::Support(const Eigen::Vector3d& position) const {
-  if (!position.allFinite()) return 0.0;
+Neighbors NeuralPoints::Nearest(const Eigen::Vector3d& position, int except) const {
+  std::vector<NearPoint> near;
+  FindNear(position, &near);
+  return Nearest(near, except);
+}
+
+double NeuralPoints::Support(const std::vector<NearPoint>& near) const {
   const double inverse = 0.5 * inverse_resolution_ * inverse_resolution_;
   double support = 0.0;
-  ForEachNear(position, [&](int k, double squared_distance) {
-    support += std::sqrt(point(k).certainty) * std::exp(-inverse * squared_distance);
-  });
+  for (const NearPoint& entry : near) {
+    support +=
+        std::sqrt(point(entry.index).certainty) * std::exp(-inverse * entry.squared_distance);
+  }
   return support;
 }
 
-int NeuralPoints::At(const Eigen::Vector3d& position) const {
-  const Eigen::Array3d cell = CellOf(position);
-  const auto at = cells_.find(CellKey(cell.x(), cell.y(), cell.z()));
-  return at == cells_.end() ? -1 : at->second;
+double NeuralPoints::Support(const Eigen::Vector3d& position) const {
+  std::vector<NearPoint> near;
+  FindNear(position, &near);
+  return Support(near);
 }
+
+int NeuralPoints::At(const Eigen::Vector3d& position) const { return InCell(CellOf(position)); }
 
 }  // namespace radive

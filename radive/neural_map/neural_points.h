@@ -3,8 +3,6 @@
 
 #pragma once
 
-#include <tsl/robin_map.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
@@ -12,8 +10,8 @@
 #include <vector>
 
 #include "radive/geometry/rigid3.h"
+#include "radive/neural_map/cell_blocks.h"
 #include "radive/neural_map/neural_map_options.h"
-#include "radive/neural_map/occupied_cells.h"
 
 namespace radive {
 
@@ -26,6 +24,9 @@ struct NeuralPoint {
   double certainty = 0.0;
   int created = 0;      // index of the first keyframe that saw it
   int last_update = 0;  // ... and of the last
+
+  // NeuralPoints::version() since which nothing is different within twice the resolution.
+  std::uint64_t last_change = 0;
 
   // The returns in its cell: sum of weights [-], their mean measurement covariance [m^2], and the
   // mean direction from them to the radar, not of unit length [-].
@@ -43,6 +44,11 @@ struct MapReturn {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();    // map frame [m]
   double weight = 1.0;                                   // velocity-discrepancy weight [-], > 0
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of the measurement, map frame [m^2]
+};
+
+struct NearPoint {
+  int index = 0;
+  double squared_distance = 0.0;  // [m^2]
 };
 
 // The K nearest neural points of a position.
@@ -75,37 +81,23 @@ class NeuralPoints {
   // the orientations).
   void Transform(const Rigid3& T_new_old);
 
-  // The K nearest points within twice the resolution of `position`, without the point `except`.
+  // The points within twice the resolution of a position.
+  void FindNear(const Eigen::Vector3d& position, std::vector<NearPoint>* near) const;
+
+  // The K nearest points of those, without the point `except`.
+  Neighbors Nearest(const std::vector<NearPoint>& near, int except = -1) const;
   Neighbors Nearest(const Eigen::Vector3d& position, int except = -1) const;
 
   // How much the map trusts that something is there: sum of sqrt(c_k) exp(-d_k^2 / (2 res^2)) over
   // the points within twice the resolution. The root makes a surface out of many points worth more
   // than one cell that many keyframes hit, such as a ghost that stands still. At a lone point that
   // one keyframe saw at most 1 [-].
+  double Support(const std::vector<NearPoint>& near) const;
   double Support(const Eigen::Vector3d& position) const;
 
-  // Calls function(k, squared distance) for every point within twice the resolution of `position`.
-  template <typename Function>
-  void ForEachNear(const Eigen::Vector3d& position, Function&& function) const {
-    const Eigen::Array3d cell = CellOf(position);
-    const auto x = static_cast<std::int64_t>(cell.x());
-    const auto y = static_cast<std::int64_t>(cell.y());
-    const auto z = static_cast<std::int64_t>(cell.z());
-    const double max_squared_distance = 4.0 * options_.resolution * options_.resolution;
-    const OccupiedCells::Around occupied(occupied_, x, y, z);
-    for (std::int64_t dx = -OccupiedCells::kReach; dx <= OccupiedCells::kReach; ++dx) {
-      for (std::int64_t dy = -OccupiedCells::kReach; dy <= OccupiedCells::kReach; ++dy) {
-        for (std::int64_t dz = -OccupiedCells::kReach; dz <= OccupiedCells::kReach; ++dz) {
-          if (!occupied.IsOccupied(x + dx, y + dy, z + dz)) continue;
-          const auto at = cells_.find(CellKey(x + dx, y + dy, z + dz));
-          for (int k = at == cells_.end() ? -1 : at->second; k >= 0; k = point(k).next) {
-            const double squared_distance = (point(k).position - position).squaredNorm();
-            if (squared_distance <= max_squared_distance) function(k, squared_distance);
-          }
-        }
-      }
-    }
-  }
+  // Grows with each change of the points. Their features count as changed in the keyframes that see
+  // them.
+  std::uint64_t version() const { return version_; }
 
   int last_keyframe() const { return last_keyframe_; }  // its index; -1 before the first
 
@@ -135,15 +127,19 @@ class NeuralPoints {
   Eigen::Array3d CellOf(const Eigen::Vector3d& position) const {
     return (position.array() * inverse_resolution_).floor();
   }
+  // The point of a cell; -1: none.
+  int InCell(const Eigen::Array3d& cell) const;
+  void SetInCell(const Eigen::Vector3i& cell, int k);
+  void MarkChangedAround(int k);
   void Rebuild();
 
   const NeuralMapOptions options_;
   const double inverse_resolution_;
   int last_keyframe_ = -1;
+  std::uint64_t version_ = 0;
   std::vector<NeuralPoint> points_;
   std::vector<double> features_;
-  tsl::robin_map<std::uint64_t, std::int32_t, CellKeyHash> cells_;
-  OccupiedCells occupied_;  // the keys of cells_
+  CellBlocks cells_;  // the first point of each
 };
 
 }  // namespace radive

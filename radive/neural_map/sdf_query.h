@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <vector>
 
 #include "radive/neural_map/decoder_kernel.h"
 #include "radive/neural_map/neural_points.h"
@@ -26,14 +27,16 @@ inline double NeighborWeight(double squared_distance, double softening) {
 
 // S(x) = sum_k nu_k D(f_k, q_k (x - x_k) q_k^-1) / sum_k nu_k over the K nearest neural points
 // (paper, section "Surface Point Extraction"), with its gradient for fixed neighbours. `except`: a
-// neural point that has no say, such as the one at the position itself; -1: none.
+// neural point that has no say, such as the one at the position itself; -1: none. `near`: the
+// points near the position.
 template <int kFeature, int kHidden>
 SdfValue QuerySdf(const NeuralPoints& map,
                   const DecoderKernel<kFeature, kHidden>& kernel,
                   const Eigen::Vector3d& position,
+                  const std::vector<NearPoint>& near,
                   int except = -1) {
   SdfValue result;
-  const Neighbors neighbors = map.Nearest(position, except);
+  const Neighbors neighbors = map.Nearest(near, except);
   result.num_neighbors = neighbors.count;
   const double softening = map.options().softening;
   double weight_sum = 0.0;
@@ -59,6 +62,15 @@ SdfValue QuerySdf(const NeuralPoints& map,
   // A feature that is not finite says nothing.
   if (!std::isfinite(result.value) || !result.gradient.allFinite()) return SdfValue();
   return result;
+}
+
+template <int kFeature, int kHidden>
+SdfValue QuerySdf(const NeuralPoints& map,
+                  const DecoderKernel<kFeature, kHidden>& kernel,
+                  const Eigen::Vector3d& position) {
+  std::vector<NearPoint> near;
+  map.FindNear(position, &near);
+  return QuerySdf(map, kernel, position, near);
 }
 
 }  // namespace radive

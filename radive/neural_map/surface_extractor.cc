@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "radive/neural_map/decoder_kernel.h"
 #include "radive/neural_map/sdf_query.h"
@@ -66,16 +68,18 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
   std::vector<SurfacePoint> result;
   result.reserve(indices.size());
   WithDecoderKernel(decoder, map.options().resolution, [&](const auto& kernel) {
+    std::vector<NearPoint> near;
     for (const int k : indices) {
       const NeuralPoint& point = map.point(k);
-      const SdfValue field = QuerySdf(map, kernel, point.position, leave_out_self ? k : -1);
+      map.FindNear(point.position, &near);
+      const SdfValue field = QuerySdf(map, kernel, point.position, near, leave_out_self ? k : -1);
       if (field.num_neighbors == 0) continue;
       SurfacePoint surface;
       surface.index = k;
       surface.position = point.position;
       surface.sdf = field.value;
       surface.age = map.last_keyframe() - point.created;
-      if (field.num_neighbors >= kMinNeighbors) surface.support = map.Support(point.position);
+      if (field.num_neighbors >= kMinNeighbors) surface.support = map.Support(near);
       const double slope = field.gradient.norm();
       surface.normal = slope > 1e-6 ? Eigen::Vector3d(field.gradient / slope)
                                     : point.orientation.conjugate() * Eigen::Vector3d::UnitZ();
@@ -83,6 +87,54 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
     }
   });
   return result;
+}
+
+const std::vector<SurfacePoint>& SurfaceEvaluation::Update(const NeuralPoints& map,
+                                                           const SdfDecoder& decoder,
+                                                           bool leave_out_self) {
+  if (parameters_ != decoder.parameters()) known_.clear();
+  parameters_ = decoder.parameters();
+
+  // Points keep their order, new ones come last.
+  std::vector<int> changed;
+  std::vector<const Known*> unchanged(static_cast<std::size_t>(map.size()), nullptr);
+  auto known = known_.begin();
+  for (int k = 0; k < map.size(); ++k) {
+    const NeuralPoint& point = map.point(k);
+    const auto same = std::find_if(known, known_.end(), [&point](const Known& entry) {
+      return entry.cell == point.cell && entry.created == point.created;
+    });
+    if (same != known_.end()) known = std::next(same);
+    if (same == known_.end() || point.last_change > version_) {
+      changed.push_back(k);
+    } else {
+      unchanged[static_cast<std::size_t>(k)] = &*same;
+    }
+  }
+
+  const std::vector<SurfacePoint> evaluated = EvaluatePoints(map, decoder, changed, leave_out_self);
+  std::vector<SurfacePoint> points;
+  std::vector<Known> now_known;
+  auto next = evaluated.begin();
+  for (int k = 0; k < map.size(); ++k) {
+    const NeuralPoint& point = map.point(k);
+    const Known* before = unchanged[static_cast<std::size_t>(k)];
+    now_known.push_back({point.cell, point.created, -1});
+    if (before == nullptr) {
+      if (next == evaluated.end() || next->index != k) continue;
+      points.push_back(*next++);
+    } else {
+      if (before->surface < 0) continue;
+      points.push_back(points_[static_cast<std::size_t>(before->surface)]);
+      points.back().index = k;
+      points.back().age = map.last_keyframe() - point.created;
+    }
+    now_known.back().surface = static_cast<int>(points.size()) - 1;
+  }
+  points_ = std::move(points);
+  known_ = std::move(now_known);
+  version_ = map.version();
+  return points_;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "radive/neural_map/neural_points.h"
@@ -34,6 +35,28 @@ std::vector<SurfacePoint> EvaluatePoints(const NeuralPoints& map,
                                          const SdfDecoder& decoder,
                                          const std::vector<int>& indices,
                                          bool leave_out_self = false);
+
+// EvaluatePoints() again and again, of a map that changes by keyframes and pruning: what lies where
+// nothing has changed is kept from the last time.
+class SurfaceEvaluation {
+ public:
+  // The same as EvaluatePoints(). The map and `leave_out_self` must be those of the last time.
+  const std::vector<SurfacePoint>& Update(const NeuralPoints& map,
+                                          const SdfDecoder& decoder,
+                                          bool leave_out_self);
+
+ private:
+  struct Known {
+    std::uint64_t cell;  // of the neural point
+    int created;
+    int surface;  // in points_; -1: left out
+  };
+
+  std::vector<SurfacePoint> points_;
+  std::vector<Known> known_;        // all neural points
+  std::vector<double> parameters_;  // of the decoder
+  std::uint64_t version_ = 0;       // of the map
+};
 
 // Those of `points` that lie on a surface: |S| <= threshold (paper, eq. of P_surf) and support >=
 // min_support, moved and weighted as `options` say, in the same order.

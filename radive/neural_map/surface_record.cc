@@ -68,6 +68,7 @@ void SurfaceRecord::UpdateGrid(const NeuralPoints& map,
   const double resolution = map.options().resolution;
   const double spacing = grid_->spacing();
   tsl::robin_set<std::uint64_t, CellKeyHash> done;
+  std::vector<NearPoint> near;
   WithDecoderKernel(decoder, resolution, [&](const auto& kernel) {
     for (const int k : indices) {
       const Eigen::Array3d low = (map.point(k).position.array() / resolution).floor() * resolution;
@@ -81,8 +82,9 @@ void SurfaceRecord::UpdateGrid(const NeuralPoints& map,
             }
             const Eigen::Vector3i vertex(x, y, z);
             const Eigen::Vector3d position = grid_->Position(vertex);
-            const SdfValue field = QuerySdf(map, kernel, position);
-            const double support = map.Support(position);
+            map.FindNear(position, &near);
+            const SdfValue field = QuerySdf(map, kernel, position, near);
+            const double support = map.Support(near);
             if (field.num_neighbors > 0 && support >= min_support_) {
               grid_->Set(vertex, {static_cast<float>(field.value), static_cast<float>(support)});
             } else {

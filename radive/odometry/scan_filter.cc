@@ -46,6 +46,7 @@ std::vector<RadarReturn> ScanFilter::StaticReturns(const std::vector<RadarReturn
   const std::vector<bool> keep = KeepMask(
       returns, v_radar, options_.ego_velocity.keep_gate, noise_ratio, options_.sensor.doppler_span);
   std::vector<RadarReturn> kept;
+  kept.reserve(returns.size());
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (keep[i]) kept.push_back(returns[i]);
   }

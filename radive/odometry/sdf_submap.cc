@@ -71,8 +71,9 @@ class SurfaceWorker {
     }
     TrainedSubmap trained;
     trained.median_neighbors = mapper_.MedianNeighbors();
-    const std::vector<SurfacePoint> surface =
-        ExtractSurface(mapper_.map(), mapper_.decoder(), options_.surface);
+    const std::vector<SurfacePoint> surface = SelectSurface(
+        evaluation_.Update(mapper_.map(), mapper_.decoder(), options_.surface.leave_out_self),
+        options_.surface);
     trained.gaussians = std::make_unique<const std::vector<Gaussian3>>(
         options_.sdf_submap.source == SdfSubmapOptions::Source::kPoints
             ? GaussiansOfPoints(surface)
@@ -157,6 +158,7 @@ class SurfaceWorker {
 
   const OdometryOptions options_;
   SdfMapper mapper_;
+  SurfaceEvaluation evaluation_;
   std::optional<SurfaceRecord> record_;
   int num_keyframes_ = 0;
   std::deque<std::vector<MapReturn>> window_;

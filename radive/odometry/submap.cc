@@ -3,10 +3,13 @@
 
 #include "radive/odometry/submap.h"
 
+#include <algorithm>
 #include <deque>
+#include <numeric>
 #include <utility>
 
 #include "radive/ndt/gaussian_builder.h"
+#include "radive/ndt/voxel_window.h"
 #include "radive/odometry/sdf_submap.h"
 
 namespace radive {
@@ -32,13 +35,17 @@ class PointSubmap : public Submap {
       num_gone += window_.front();
       window_.pop_front();
     }
+    std::vector<int> moved(gaussians_.size());
+    std::iota(moved.begin(), moved.end(), -static_cast<int>(num_gone));
+    std::replace_if(
+        moved.begin(), moved.end(), [](int index) { return index < 0; }, -1);
     gaussians_.erase(gaussians_.begin(),
                      gaussians_.begin() + static_cast<std::ptrdiff_t>(num_gone));
     gaussians_.insert(gaussians_.end(), gaussians.begin(), gaussians.end());
     if (search_ == nullptr) {
       search_ = std::make_unique<PairSearch>(gaussians_);
     } else {
-      search_->Update(gaussians_, num_gone);
+      search_->Update(gaussians_, moved);
     }
   }
 
@@ -62,31 +69,27 @@ class PointSubmap : public Submap {
 // The voxels of the returns of the last keyframes.
 class VoxelSubmap : public Submap {
  public:
-  VoxelSubmap(const SubmapOptions& options, const NdtOptions& ndt) : options_(options), ndt_(ndt) {}
+  VoxelSubmap(const SubmapOptions& options, const NdtOptions& ndt)
+      : options_(options), ndt_(ndt), voxels_(ndt) {}
 
   void AddKeyframe(Keyframe keyframe) override {
-    window_.push_back(keyframe.returns.size());
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(keyframe.returns.size());
     for (const RadarReturn& radar_return : keyframe.returns) {
-      points_.push_back(keyframe.T_world_radar * radar_return.position);
+      points.push_back(keyframe.T_world_radar * radar_return.position);
     }
-    weights_.insert(weights_.end(), keyframe.weights.begin(), keyframe.weights.end());
-    while (static_cast<int>(window_.size()) > options_.num_keyframes) {
-      const auto num_gone = static_cast<std::ptrdiff_t>(window_.front());
-      points_.erase(points_.begin(), points_.begin() + num_gone);
-      weights_.erase(weights_.begin(), weights_.begin() + num_gone);
-      window_.pop_front();
+    const std::vector<int> moved =
+        voxels_.AddKeyframe(points, keyframe.weights, options_.num_keyframes);
+    if (search_ == nullptr) {
+      search_ = std::make_unique<PairSearch>(voxels_.gaussians());
+    } else {
+      search_->Update(voxels_.gaussians(), moved);
     }
-    search_.reset();
-    gaussians_ = GaussiansOfVoxels(points_, weights_, ndt_);
-    search_ = std::make_unique<PairSearch>(gaussians_);
   }
 
   void Clear() override {
-    window_.clear();
-    points_.clear();
-    weights_.clear();
     search_.reset();
-    gaussians_.clear();
+    voxels_ = VoxelWindow(ndt_);
   }
 
   const PairSearch* search() const override { return search_.get(); }
@@ -94,10 +97,7 @@ class VoxelSubmap : public Submap {
  private:
   const SubmapOptions options_;
   const NdtOptions ndt_;
-  std::deque<std::size_t> window_;       // returns of each keyframe
-  std::vector<Eigen::Vector3d> points_;  // of all, world frame
-  std::vector<double> weights_;
-  std::vector<Gaussian3> gaussians_;
+  VoxelWindow voxels_;
   std::unique_ptr<PairSearch> search_;
 };
 

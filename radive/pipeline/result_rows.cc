@@ -9,8 +9,6 @@
 namespace radive {
 namespace {
 
-std::string Short(double value) { return FormatText("%.9g", value); }
-
 // A text as one CSV field.
 std::string Quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -26,7 +24,7 @@ template <typename Matrix>
 std::string UpperTriangle(const Matrix& matrix) {
   std::string text;
   for (int row = 0; row < matrix.rows(); ++row) {
-    for (int col = row; col < matrix.cols(); ++col) text += "," + Short(matrix(row, col));
+    for (int col = row; col < matrix.cols(); ++col) text += "," + ShortText(matrix(row, col));
   }
   return text;
 }
@@ -86,13 +84,13 @@ std::string ScansRow(const OdometryResult& result, int radar) {
                           result.num_iterations}) {
     add(std::to_string(count));
   }
-  add(Short(result.cost));
+  add(ShortText(result.cost));
   add(ego.valid ? "1" : "0");
   add(Quoted(ego.reason));
   add(std::to_string(ego.num_inliers));
   add(std::to_string(ego.num_returns));
-  add(Short(ego.residual_rms));
-  for (int axis = 0; axis < 3; ++axis) add(Short(ego.v_radar[axis]));
+  add(ShortText(ego.residual_rms));
+  for (int axis = 0; axis < 3; ++axis) add(ShortText(ego.v_radar[axis]));
   return std::to_string(result.index) + row + UpperTriangle(ego.covariance) +
          UpperTriangle(result.covariance) + "\n";
 }

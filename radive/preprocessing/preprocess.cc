@@ -20,8 +20,8 @@ std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
   std::vector<RadarReturn> kept;
   kept.reserve(scan.returns.size());
   const FieldOfView field_of_view(options);
-  for (const RadarReturn& measured : scan.returns) {
-    RadarReturn entry = measured;
+  const bool needs_correction = NeedsCorrection(sensor);
+  for (const RadarReturn& entry : scan.returns) {
     if (!entry.position.allFinite()) {
       ++counts->not_finite;
       continue;
@@ -30,12 +30,13 @@ std::vector<RadarReturn> CorrectAndGate(const RadarScan& scan,
       ++counts->no_doppler;
       continue;
     }
-    entry.position = CorrectPosition(entry.position, sensor);
-    if (!field_of_view.Contains(entry.position)) {
-      ++(field_of_view.IsInRange(entry.position) ? counts->out_of_view : counts->out_of_range);
+    const Eigen::Vector3d position =
+        needs_correction ? CorrectPosition(entry.position, sensor) : entry.position;
+    if (!field_of_view.Contains(position)) {
+      ++(field_of_view.IsInRange(position) ? counts->out_of_view : counts->out_of_range);
       continue;
     }
-    kept.push_back(entry);
+    kept.push_back({position, entry.doppler, entry.power});
   }
   return kept;
 }

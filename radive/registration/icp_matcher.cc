@@ -141,6 +141,7 @@ class IcpMatcher : public ScanMatcher {
     return match;
   }
 
+  bool PairsDiffer(const Rigid3& /*from*/, const Rigid3& /*to*/) const override { return true; }
   bool associates_each_step() const override { return true; }
 
  private:

@@ -55,6 +55,9 @@ PairOptions AllThatMatter(PairOptions options) {
   return options;
 }
 
+// Pairs stay as long as no Gaussian of the scan moves by more of its own standard deviation.
+constexpr double kSameShare = 0.25;
+
 class NdtMatcher : public ScanMatcher {
  public:
   NdtMatcher(const std::vector<Gaussian3>& scan,
@@ -79,6 +82,15 @@ class NdtMatcher : public ScanMatcher {
         origin_,
         options_.normalisation,
         options_.derivatives);
+  }
+  bool PairsDiffer(const Rigid3& from, const Rigid3& to) const override {
+    const Eigen::Matrix3d turn = to.RotationMatrix() - from.RotationMatrix();
+    const Eigen::Vector3d shift = to.translation - from.translation;
+    for (std::size_t i = 0; i < scan_.size(); ++i) {
+      const double squared_way = (turn * scan_[i].mean + shift).squaredNorm();
+      if (squared_way > kSameShare * kSameShare * max_variances_[i]) return true;
+    }
+    return false;
   }
   bool associates_each_step() const override { return false; }
 

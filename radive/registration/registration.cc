@@ -4,6 +4,7 @@
 #include "radive/registration/registration.h"
 
 #include <ceres/cost_function.h>
+#include <ceres/iteration_callback.h>
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <glog/logging.h>
@@ -11,7 +12,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "radive/factors/attitude_height_prior_factor.h"
 #include "radive/factors/displacement_prior_factor.h"
@@ -35,10 +39,18 @@ namespace {
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+// Rather short steps: so many times as long as the last one may be.
+constexpr double kLooseSteps = 5.0;
+
 // The pose is solved for relative to the prediction's position, so that the block's norm is about
 // one and a relative step tolerance is one in metres and radians.
 Rigid3 Shifted(const Rigid3& T_submap_radar, const Eigen::Vector3d& origin) {
   return {T_submap_radar.rotation, T_submap_radar.translation - origin};
+}
+
+Rigid3 AtOrigin(const PoseBlock& pose, const Eigen::Vector3d& origin) {
+  const Rigid3 shifted = FromPoseBlock(pose);
+  return {shifted.rotation, shifted.translation + origin};
 }
 
 // The no-slip factor comes last, see lateral_variance.
@@ -184,6 +196,32 @@ double StepLength(const PoseBlock& from, const PoseBlock& to) {
                     RotationVector(b.rotation * a.rotation.conjugate()).norm());
 }
 
+// Ends a solve by the lengths of its steps. Pairs that will not stay need not be followed to their
+// minimum: a rather short step to where others are likely is the last one. Else it takes a short
+// step after a rather short one.
+class EndOfSteps : public ceres::IterationCallback {
+ public:
+  // `pairs_differ`: empty where no other pairs will be looked for.
+  EndOfSteps(double deviations, std::function<bool()> pairs_differ)
+      : deviations_(deviations), pairs_differ_(std::move(pairs_differ)) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
+    if (!pairs_differ_) return EndIf(IsShortStep(step, deviations_));
+    if (!IsShortStep(step, kLooseSteps * deviations_)) return EndIf(false);
+    if (pairs_differ_()) return EndIf(true);
+    return EndIf(std::exchange(is_near_, true) && IsShortStep(step, deviations_));
+  }
+
+ private:
+  static ceres::CallbackReturnType EndIf(bool is_end) {
+    return is_end ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+  const double deviations_;
+  const std::function<bool()> pairs_differ_;
+  bool is_near_ = false;
+};
+
 SolverOptions MakeSolverOptions(const RegistrationOptions& options) {
   SolverOptions solver;
   solver.linear_solver = SolverOptions::LinearSolver::kDenseQr;
@@ -232,13 +270,13 @@ RegistrationResult Register(const RegistrationInput& input,
   solver_options.max_iterations = schedule.max_iterations;
 
   PoseBlock pose = ToPoseBlock(Shifted(T_prediction, origin));
+  Rigid3 T_match;  // where the pairs were found
   for (int association = 0; association < schedule.num_associations; ++association) {
     const Stopwatch stopwatch;
-    Rigid3 T_submap_radar = FromPoseBlock(pose);
-    T_submap_radar.translation += origin;
+    T_match = AtOrigin(pose, origin);
     // After the first solve the pose is far better than the prediction was.
     const double slack_now = association == 0 ? slack : std::min(slack, 0.3);
-    const std::unique_ptr<ScanMatch> match = matcher->Associate(T_submap_radar, slack_now);
+    const std::unique_ptr<ScanMatch> match = matcher->Associate(T_match, slack_now);
     result.pair_search_ms += stopwatch.Milliseconds();
     result.num_pairs = match->num_pairs();
     if (result.num_pairs < options.min_gaussians) {
@@ -253,11 +291,13 @@ RegistrationResult Register(const RegistrationInput& input,
       problem.AddResidualBlock(factor.get(), nullptr, pose.data());
     }
     const PoseBlock before = pose;
-    // Where other pairs follow, these need not be followed to their minimum.
     const bool is_last = association + 1 == schedule.num_associations;
-    solver_options.deviation_tolerance =
-        matcher->associates_each_step() ? 0.0 : (is_last ? 1.0 : 5.0) * options.step_deviations;
-    const SolveSummary summary = Solve(solver_options, &problem);
+    const auto pairs_differ = [&] { return matcher->PairsDiffer(T_match, AtOrigin(pose, origin)); };
+    EndOfSteps end_of_steps(options.step_deviations,
+                            is_last ? std::function<bool()>() : pairs_differ);
+    std::vector<ceres::IterationCallback*> callbacks;
+    if (!matcher->associates_each_step()) callbacks.push_back(&end_of_steps);
+    const SolveSummary summary = Solve(solver_options, &problem, callbacks);
     result.num_iterations += summary.num_iterations;
     if (!summary.usable) {
       result.message = "solver: " + summary.message;
@@ -265,8 +305,9 @@ RegistrationResult Register(const RegistrationInput& input,
     }
     result.cost = summary.final_cost - match->offset();
 
-    const bool has_settled =
-        matcher->associates_each_step() && StepLength(before, pose) < options.step_tolerance;
+    const bool has_settled = matcher->associates_each_step()
+                                 ? StepLength(before, pose) < options.step_tolerance
+                                 : summary.converged && !pairs_differ();
     if (!is_last && !has_settled) continue;
     const NdtQuadratic quadratic = match->Quadratic(pose.data());
     Matrix6d hessian = quadratic.hessian;
@@ -297,8 +338,7 @@ RegistrationResult Register(const RegistrationInput& input,
     break;
   }
 
-  Rigid3 T_submap_radar = FromPoseBlock(pose);
-  T_submap_radar.translation += origin;
+  const Rigid3 T_submap_radar = AtOrigin(pose, origin);
   const double moved = (T_submap_radar.translation - T_prediction.translation).norm();
   const double turned =
       RotationVector(T_submap_radar.rotation * T_prediction.rotation.conjugate()).norm();

@@ -22,7 +22,10 @@ std::vector<OptionField> RegistrationOptions::Fields() {
        "-",
        "How the condensed block forms its derivatives; autodiff is the slow reference."},
       {"planar", &planar, "-", "Estimate a motion in the vehicle's plane only (3 DoF)."},
-      OptionField{"num_associations", &num_associations, "-", "Times that pairs are searched."}
+      OptionField{"num_associations",
+                  &num_associations,
+                  "-",
+                  "Times that pairs are searched; not again where the scan hardly moved."}
           .AtLeast(1),
       OptionField{"max_iterations", &max_iterations, "-", "LM steps after each association."}
           .AtLeast(1),
@@ -33,7 +36,7 @@ std::vector<OptionField> RegistrationOptions::Fields() {
           &step_deviations,
           "-",
           "A step of fewer standard deviations of the pose, as the cost's curvature has them, is "
-          "the last one; before the last search for pairs, one of five times as many; 0: never."}
+          "the last one; where other pairs are likely, one of five times as many; 0: never."}
           .AtLeast(0.0),
       OptionField{"initial_lm_lambda", &initial_lm_lambda, "-", "First damping of LM."}.Above(0.0),
       OptionField{"min_gaussians", &min_gaussians, "-", "Scans with fewer are not registered."}

@@ -41,6 +41,9 @@ class ScanMatcher {
   // Pairs at `T_submap_radar`, which is within `slack` of the truth [m].
   virtual std::unique_ptr<ScanMatch> Associate(const Rigid3& T_submap_radar, double slack) = 0;
 
+  // Whether other pairs are likely at `to` than at `from`, where pairs were found.
+  virtual bool PairsDiffer(const Rigid3& from, const Rigid3& to) const = 0;
+
   // Pairs hold for one step only: each is followed by a new association.
   virtual bool associates_each_step() const = 0;
 };

@@ -27,21 +27,17 @@ ceres::LinearSolverType LinearSolverType(SolverOptions::LinearSolver linear_solv
   return ceres::DENSE_QR;
 }
 
-// Ends the solve after a step that the covariance can hardly tell from none: for a step dx, twice
-// the decrease of the model is dx' H dx.
 class ShortStepEnd : public ceres::IterationCallback {
  public:
-  explicit ShortStepEnd(double deviations) : squared_(deviations * deviations) {}
+  explicit ShortStepEnd(double deviations) : deviations_(deviations) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
-    const bool is_step = step.iteration > 0 && step.step_is_successful;
-    return is_step && 2.0 * step.cost_change <= squared_ * step.relative_decrease
-               ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-               : ceres::SOLVER_CONTINUE;
+    return IsShortStep(step, deviations_) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                          : ceres::SOLVER_CONTINUE;
   }
 
  private:
-  const double squared_;
+  const double deviations_;
 };
 
 ceres::Solver::Options CeresOptions(const SolverOptions& options,
@@ -67,6 +63,12 @@ ceres::Solver::Options CeresOptions(const SolverOptions& options,
 }
 
 }  // namespace
+
+// For a step dx, twice the decrease of the model is dx' H dx.
+bool IsShortStep(const ceres::IterationSummary& step, double deviations) {
+  return step.iteration > 0 && step.step_is_successful &&
+         2.0 * step.cost_change <= deviations * deviations * step.relative_decrease;
+}
 
 SolveSummary Solve(const SolverOptions& options,
                    ceres::Problem* problem,

@@ -11,6 +11,7 @@
 namespace ceres {
 class IterationCallback;
 class Problem;
+struct IterationSummary;
 }  // namespace ceres
 
 namespace radive {
@@ -26,6 +27,10 @@ struct SolveSummary {
   double initial_cost = 0.0;
   double final_cost = 0.0;
 };
+
+// Whether a step was taken that the covariance can hardly tell from none: shorter than so many
+// standard deviations, as the model's curvature has them.
+bool IsShortStep(const ceres::IterationSummary& step, double deviations);
 
 // Minimises 1/2 sum rho(|r|^2) over the parameter blocks of `problem`, by Levenberg-Marquardt with
 // the damping lambda diag(H) of the paper. The only call of ceres::Solve in the project.

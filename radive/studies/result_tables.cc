@@ -21,7 +21,7 @@ namespace radive {
 namespace {
 
 namespace fs = std::filesystem;
-std::string CellText(double value) { return FormatText("%.9g", value); }
+std::string CellText(double value) { return ShortText(value); }
 std::string CellText(int value) { return std::to_string(value); }
 
 template <typename Value>

@@ -119,7 +119,7 @@ SummaryRow RowOf(const std::string& variant,
 }
 
 std::string NumberCell(const std::optional<double>& value) {
-  return value ? FormatText("%.9g", *value) : "";
+  return value ? ShortText(*value) : "";
 }
 
 std::string Fixed(double value, int digits) { return FormatText("%.*f", digits, value); }

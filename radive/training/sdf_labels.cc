@@ -144,9 +144,10 @@ int SdfLabels::num_points() const {
   return tree_ == nullptr ? 0 : static_cast<int>(tree_->cloud.points.size());
 }
 
-std::optional<LocalPlane> SdfLabels::PlaneAt(const Eigen::Vector3d& position) const {
+std::optional<LocalPlane> SdfLabels::PlaneAt(const Eigen::Vector3d& position,
+                                             const std::vector<NearPoint>& near) const {
   if (!position.allFinite()) return std::nullopt;
-  return IsSmooth() ? SmoothPlane(position) : NearestPlane(position);
+  return IsSmooth() ? SmoothPlane(position, near) : NearestPlane(position);
 }
 
 std::optional<LocalPlane> SdfLabels::NearestPlane(const Eigen::Vector3d& position) const {
@@ -166,21 +167,23 @@ std::optional<LocalPlane> SdfLabels::NearestPlane(const Eigen::Vector3d& positio
   return sums.Plane(0.0, is_planar_);
 }
 
-std::optional<LocalPlane> SdfLabels::SmoothPlane(const Eigen::Vector3d& position) const {
+std::optional<LocalPlane> SdfLabels::SmoothPlane(const Eigen::Vector3d& position,
+                                                 const std::vector<NearPoint>& near) const {
   const double inverse = 0.5 / (options_.label_kernel * options_.label_kernel);
   PlaneSums sums(position);
-  map_.ForEachNear(position, [&](int k, double squared_distance) {
-    const NeuralPoint& point = map_.point(k);
-    const double weight = point.weight_sum * std::exp(-inverse * squared_distance);
+  for (const NearPoint& entry : near) {
+    const NeuralPoint& point = map_.point(entry.index);
+    const double weight = point.weight_sum * std::exp(-inverse * entry.squared_distance);
     sums.Add(point.position, weight, 1.0, point.to_radar);
-  });
+  }
   return sums.Plane(kMinSmoothWidth * options_.label_kernel, is_planar_);
 }
 
-std::optional<SdfLabel> SdfLabels::At(const Eigen::Vector3d& position) const {
+std::optional<SdfLabel> SdfLabels::At(const Eigen::Vector3d& position,
+                                      const std::vector<NearPoint>& near) const {
   SdfLabel label;
   if (options_.label == SdfTrainingOptions::Label::kPlane || IsSmooth()) {
-    const std::optional<LocalPlane> plane = PlaneAt(position);
+    const std::optional<LocalPlane> plane = PlaneAt(position, near);
     if (!plane) return std::nullopt;
     label.distance = plane->normal.dot(position - plane->point);
     label.weight = plane->weight;
@@ -201,6 +204,12 @@ std::optional<SdfLabel> SdfLabels::At(const Eigen::Vector3d& position) const {
   }
   label.distance = std::clamp(label.distance, -options_.label_clamp, options_.label_clamp);
   return label;
+}
+
+std::optional<SdfLabel> SdfLabels::At(const Eigen::Vector3d& position) const {
+  std::vector<NearPoint> near;
+  map_.FindNear(position, &near);
+  return At(position, near);
 }
 
 }  // namespace radive

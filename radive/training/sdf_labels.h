@@ -49,17 +49,22 @@ class SdfLabels {
 
   int num_points() const;
 
-  // Nothing when there are too few points: three for a plane, else one.
+  // Nothing when there are too few points: three for a plane, else one. `near`: the neural points
+  // near the position.
+  std::optional<SdfLabel> At(const Eigen::Vector3d& position,
+                             const std::vector<NearPoint>& near) const;
   std::optional<SdfLabel> At(const Eigen::Vector3d& position) const;
 
   // The plane of the `label_points` nearest scan points or, with smooth labels, of the neural
   // points nearby; nothing with fewer than three points.
-  std::optional<LocalPlane> PlaneAt(const Eigen::Vector3d& position) const;
+  std::optional<LocalPlane> PlaneAt(const Eigen::Vector3d& position,
+                                    const std::vector<NearPoint>& near) const;
 
  private:
   struct Tree;
   std::optional<LocalPlane> NearestPlane(const Eigen::Vector3d& position) const;
-  std::optional<LocalPlane> SmoothPlane(const Eigen::Vector3d& position) const;
+  std::optional<LocalPlane> SmoothPlane(const Eigen::Vector3d& position,
+                                        const std::vector<NearPoint>& near) const;
 
   bool IsSmooth() const { return options_.label == SdfTrainingOptions::Label::kSmooth; }
 

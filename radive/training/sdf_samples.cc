@@ -28,6 +28,7 @@ std::vector<SdfSample> DrawSamples(const NeuralPoints& map,
                                    int index,
                                    const SdfTrainingOptions& options) {
   std::vector<SdfSample> samples;
+  std::vector<NearPoint> near;
   samples.reserve(owners.size() * static_cast<std::size_t>(options.samples_per_point));
   for (const int owner : owners) {
     const NeuralPoint& point = map.point(owner);
@@ -40,9 +41,10 @@ std::vector<SdfSample> DrawSamples(const NeuralPoints& map,
         sample.position[axis] =
             point.position[axis] + random.Uniform(-options.sample_extent, options.sample_extent);
       }
-      sample.neighbors = map.Nearest(sample.position);
+      map.FindNear(sample.position, &near);
+      sample.neighbors = map.Nearest(near);
       if (sample.neighbors.count == 0) continue;
-      const std::optional<SdfLabel> label = labels.At(sample.position);
+      const std::optional<SdfLabel> label = labels.At(sample.position, near);
       if (!label || !(label->weight > 0.0) || !std::isfinite(label->distance)) continue;
       sample.label = *label;
       samples.push_back(sample);
@@ -66,10 +68,12 @@ void InitialisePoints(NeuralPoints* map,
                       const std::vector<int>& seen,
                       const SdfLabels& labels,
                       int index) {
+  std::vector<NearPoint> near;
   for (const int k : seen) {
     NeuralPoint& point = map->point(k);
     if (point.created != index) continue;
-    const std::optional<LocalPlane> plane = labels.PlaneAt(point.position);
+    map->FindNear(point.position, &near);
+    const std::optional<LocalPlane> plane = labels.PlaneAt(point.position, near);
     if (!plane) continue;
     if (map->options().orientation == NeuralMapOptions::Orientation::kNormal) {
       point.orientation = RotationBetween(plane->normal, Eigen::Vector3d::UnitZ());

@@ -4,6 +4,7 @@
 #include "radive/util/number_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
@@ -26,6 +27,13 @@ std::string FormatText(const char* form, ...) {
   std::vsnprintf(long_text.data(), size + 1, form, values);
   va_end(values);
   return long_text;
+}
+
+std::string ShortText(double value) {
+  char text[32];
+  const std::to_chars_result end =
+      std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 9);
+  return {text, end.ptr};
 }
 
 }  // namespace radive

@@ -23,6 +23,9 @@ namespace radive {
 // A number in a message, with six decimals.
 inline std::string NumberText(double value) { return FormatText("%f", value); }
 
+// Nine digits at most, as "%.9g" has them.
+std::string ShortText(double value);
+
 // What Microsoft's C library printed until 2015: 1.#QNAN, -1.#IND, 1.#SNAN, 1.#INF, perhaps with
 // zeros behind.
 inline std::optional<double> ParseMicrosoftWord(std::string_view text) {

@@ -4,6 +4,7 @@
 
 import argparse
 import pathlib
+import re
 import sys
 
 from report import content, output_folder, page, tables
@@ -30,6 +31,16 @@ The same input gives the same bytes.
 """
 
 
+def version():
+    """The version of the project: that of the source tree, or what the installation has noted."""
+    package = pathlib.Path(__file__).resolve().parent
+    noted = package.parent / "VERSION"
+    if noted.is_file():
+        return noted.read_text(encoding="utf-8").strip()
+    cmake = (package.parent.parent / "CMakeLists.txt").read_text(encoding="utf-8")
+    return re.search(r"^project\(radive VERSION (\S+)", cmake, re.MULTILINE).group(1)
+
+
 def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="radive_report",
@@ -44,6 +55,7 @@ def parse(arguments):
     parser.add_argument("--plane", default="xy", choices=sorted(PLANES), help="of runs")
     parser.add_argument("--output", type=pathlib.Path, help="folder for the report")
     parser.add_argument("--title", help="instead of the folder's name")
+    parser.add_argument("--version", action="version", version=f"radive_report {version()}")
     return parser.parse_args(arguments)
 
 

@@ -9,6 +9,10 @@
 #include <algorithm>
 #include <vector>
 
+#include "radive/ego_velocity/spread_points.h"
+#include "radive/util/random.h"
+#include "tests/with_kernels.h"
+
 namespace radive {
 namespace {
 
@@ -62,12 +66,41 @@ TEST(DisplacementVotes, FadingKeepsAShare) {
   EXPECT_NEAR(sum.At({0.0, 0.0}), 7.5, 1e-5);
 }
 
+// Rounding of the turned points may put a pair into the next cell, by a part of a vote.
+TEST(DisplacementVotes, AreTheSameByAllKernels) {
+  Random random(3);
+  Points before, after;
+  for (int i = 0; i < 300; ++i) {
+    before.emplace_back(random.Uniform(-60.0, 60.0), random.Uniform(-60.0, 60.0));
+    after.emplace_back(before.back() - Eigen::Vector2d(1.5, 0.2));
+  }
+  std::vector<DisplacementVotes> votes;
+  for (const Kernels* kernels : AvailableKernels()) {
+    const testing::WithKernels with_kernels(*kernels);
+    votes.emplace_back(All(before), All(after), 0.05);
+  }
+  for (double x = -12.0; x <= 12.0; x += 0.5) {
+    EXPECT_NEAR(votes.front().At({x, 0.25}), votes.back().At({x, 0.25}), 1e-3) << x;
+  }
+  EXPECT_NEAR(votes.front().Mean(), votes.back().Mean(), 1e-5);
+}
+
 // A wall weighs no more than its length in steps of 2 m; what stands alone weighs 1.
 TEST(MakeVotingPoints, NeighboursShareTheirWeight) {
   const VotingPoints points = MakeVotingPoints({{10.1, 0.1}, {10.7, 0.1}, {30.1, 5.1}}, 100);
   std::vector<double> weights = points.weights;
   std::sort(weights.begin(), weights.end());
   EXPECT_EQ(weights, (std::vector<double>{0.5, 0.5, 1.0}));
+}
+
+TEST(SpreadOut, TwoScansKeepTheSameSquares) {
+  Points first, second;
+  for (int i = 0; i < 2000; ++i) first.emplace_back(0.51 * (i % 100) - 20.0, 0.52 * (i / 100));
+  for (auto p = first.rbegin(); p != first.rend(); ++p) second.push_back(*p);
+  const std::vector<std::size_t> a = SpreadOut(first, 50), b = SpreadOut(second, 50);
+  ASSERT_EQ(a.size(), 50u);
+  ASSERT_EQ(b.size(), 50u);
+  for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(first[a[i]], second[b[i]]);
 }
 
 TEST(MakeVotingPoints, OnePointOfASquareAndNoneFarAway) {

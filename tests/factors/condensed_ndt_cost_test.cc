@@ -154,12 +154,40 @@ TEST_P(CondensedNdtCostOf, BlockHasCostGradientAndMatrixExactly) {
     EXPECT_NEAR(0.5 * block.residuals.squaredNorm(), total, 1e-12 * total);
     EXPECT_LE((block.jacobian.transpose() * block.residuals - quadratic.gradient).norm(),
               1e-9 * quadratic.gradient.norm());
-    EXPECT_LE((block.jacobian.transpose() * block.jacobian - quadratic.hessian).norm(),
-              1e-8 * quadratic.hessian.norm());
     EXPECT_EQ(block.jacobian.row(6).norm(), 0.0);
+    // Some way from the hessian to the curvature, but not below a tenth of the hessian.
+    const Matrix6d matrix = block.jacobian.transpose() * block.jacobian;
+    const Matrix6d way = quadratic.curvature - quadratic.hessian;
+    const double part = (matrix - quadratic.hessian).cwiseProduct(way).sum() / way.squaredNorm();
+    EXPECT_GE(part, -1e-6);
+    EXPECT_LE(part, 1.0 + 1e-6);
+    EXPECT_LE((matrix - quadratic.hessian - part * way).norm(), 1e-8 * quadratic.hessian.norm());
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> above(matrix - 0.1 * quadratic.hessian);
+    EXPECT_GE(above.eigenvalues()[0], -1e-8 * above.eigenvalues()[5]);
     const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(quadratic.hessian);
     EXPECT_GE(eigen.eigenvalues()[0], -1e-12 * eigen.eigenvalues()[5]);
   }
+}
+
+// Where the scan fits the pairs hardly pull against each other: Newton's step.
+TEST_P(CondensedNdtCostOf, MatrixIsTheCurvatureWhereTheScanFits) {
+  Random random(12);
+  Scene scene = RandomScene(40, /*all_pairs=*/false, &random);
+  scene.pairs.clear();
+  for (std::size_t i = 0; i < scene.scan.size(); ++i) {
+    scene.scan[i].mean = scene.T_submap_radar.Inverse() * scene.submap[2 * i].mean;
+    scene.pairs.push_back({static_cast<int>(i), static_cast<int>(2 * i)});
+  }
+  const Eigen::Vector3d origin = scene.T_submap_radar.translation;
+  const CondensedNdtCost cost(scene.scan, scene.submap, scene.pairs, origin, norm(), derivatives());
+  Rigid3 T = scene.T_submap_radar;
+  T.translation.x() += 0.1;
+  const PoseBlock pose = ShiftedBlock(T, origin);
+  const NdtQuadratic quadratic = cost.Quadratic(pose.data());
+  const BlockValue block = Evaluate(cost, pose);
+  EXPECT_GT((quadratic.hessian - quadratic.curvature).norm(), 1e-3 * quadratic.hessian.norm());
+  EXPECT_LE((block.jacobian.transpose() * block.jacobian - quadratic.curvature).norm(),
+            1e-8 * quadratic.hessian.norm());
 }
 
 // A trial step of the solver asks for the residuals alone.

@@ -188,13 +188,18 @@ TEST(PairSearch, UpdatedEqualsBuiltAnew) {
   PairSearch updated(submap);
   for (int i = 0; i < 40; ++i) {
     const Clouds clouds = RandomClouds(30, 1 + static_cast<int>(random.Index(60)), &random);
-    const std::size_t num_gone = i % 10 == 9 ? submap.size() : random.Index(submap.size() + 1);
-    std::vector<Gaussian3> next(submap.begin() + static_cast<std::ptrdiff_t>(num_gone),
-                                submap.end());
+    const std::uint64_t one_in = i % 10 == 9 ? 1 : 1 + random.Index(6);
+    std::vector<Gaussian3> next;
+    std::vector<int> moved;
+    for (const Gaussian3& gaussian : submap) {
+      const bool is_gone = random.Index(one_in) == 0;
+      moved.push_back(is_gone ? -1 : static_cast<int>(next.size()));
+      if (!is_gone) next.push_back(gaussian);
+    }
     next.insert(next.end(), clouds.submap.begin(), clouds.submap.end());
     next.push_back(next.front());
     submap = next;
-    updated.Update(submap, num_gone);
+    updated.Update(submap, moved);
     for (const int max_neighbors : {0, 5}) {
       PairOptions options = DistanceOnly(6.0);
       options.max_neighbors = max_neighbors;

@@ -236,6 +236,43 @@ TEST(SurfaceExtractor, LeavesThePointItselfOut) {
   EXPECT_EQ(ExtractSurface(map, decoder, surface).size(), 1u) << "the one between the others";
 }
 
+// A street of keyframes: points come, move, are forgotten; features of what is seen change.
+TEST(SurfaceEvaluation, IsThatOfAllPoints) {
+  NeuralMapOptions options;
+  options.max_age = 3;
+  options.max_distance = 12.0;
+  NeuralPoints map(options);
+  SdfDecoder decoder = RandomizedDecoder(4, 16, SdfDecoder::Activation::kSoftsign, 5);
+  Random random(4);
+  SurfaceEvaluation evaluation;
+  for (int index = 0; index < 12; ++index) {
+    const Eigen::Vector3d origin(1.5 * index, 0.0, 0.0);
+    std::vector<Eigen::Vector3d> positions;
+    for (int i = 0; i < 40; ++i) {
+      positions.push_back(origin + Eigen::Vector3d(random.Uniform(-9.0, 9.0),
+                                                   random.Uniform(-2.0, 2.0),
+                                                   random.Uniform(-0.5, 0.5)));
+    }
+    map.Prune(origin, index);
+    for (const int k : map.AddKeyframe(ReturnsAt(positions), index)) {
+      map.feature(k)[0] = random.Normal();
+    }
+    if (index == 8) map.Transform({Eigen::Quaterniond::Identity(), {0.2, 0.0, 0.0}});
+    if (index == 10) decoder.parameters()[0] += 0.1;
+    const std::vector<SurfacePoint> expected = EvaluatePoints(map, decoder, true);
+    const std::vector<SurfacePoint>& found = evaluation.Update(map, decoder, true);
+    ASSERT_EQ(found.size(), expected.size()) << index;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_EQ(found[i].index, expected[i].index);
+      ASSERT_EQ(found[i].position, expected[i].position);
+      ASSERT_EQ(found[i].sdf, expected[i].sdf);
+      ASSERT_EQ(found[i].normal, expected[i].normal);
+      ASSERT_EQ(found[i].support, expected[i].support);
+      ASSERT_EQ(found[i].age, expected[i].age);
+    }
+  }
+}
+
 // A decoder that is the height over a point; points of one wall at z = 0.2 m and a lone ghost.
 TEST(SurfaceExtractor, ThresholdAndSupport) {
   NeuralMapOptions options;

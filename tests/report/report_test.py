@@ -238,6 +238,16 @@ class ViewerTest(unittest.TestCase):
 
 
 class CommandTest(ScratchTest):
+    def test_version_is_that_of_the_project(self):
+        root = pathlib.Path(__file__).resolve().parents[2]
+        found = subprocess.run(
+            [root / "scripts/radive_report", "--version"], capture_output=True, text=True
+        )
+        citation = (root / "CITATION.cff").read_text(encoding="utf-8")
+        version = next(line for line in citation.splitlines() if line.startswith("version: "))
+        self.assertEqual(found.stdout, f"radive_report {version.split()[1]}\n")
+        self.assertEqual(found.returncode, 0)
+
     def run_command(self, *arguments):
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):

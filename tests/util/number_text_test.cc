@@ -56,6 +56,27 @@ TEST(FormatText, IsTheSameInEveryLocale) {
   EXPECT_EQ(Printed("%.1f", 0.5), "0,5");  // the locale of the thread is as it was
 }
 
+TEST(ShortText, IsWhatPrintfPrints) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double value : {0.0,
+                             -0.0,
+                             1.0,
+                             -2.5,
+                             1.0 / 3.0,
+                             123456789.125,
+                             1e9,
+                             1e10,
+                             1e-5,
+                             1e-300,
+                             -9.99999999949e7,
+                             1e308,
+                             infinity,
+                             -infinity,
+                             std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(ShortText(value), FormatText("%.9g", value));
+  }
+}
+
 TEST(ParseDouble, ReadsBackWhatIsPrinted) {
   Random random(5);
   for (int i = 0; i < 20000; ++i) {

@@ -11,7 +11,7 @@ namespace radive {
 // Each in the file of its name.
 Dataset RadarScenesDataset(), RaFlowDataset(), HerculesDataset(), SnailRadarDataset(),
     ColoRadarDataset(), DopplerIcpDataset(), BoreasDataset(), Tj4dRadSetDataset(),
-    MscRad4rDataset(), ViewOfDelftDataset(), Ntu4dRadLmDataset();
+    MscRad4rDataset(), ViewOfDelftDataset(), Ntu4dRadLmDataset(), SimulatedDriveDataset();
 
 const std::vector<Dataset>& Datasets() {
   // Known by the names of files, then of folders, then by what their records prove.
@@ -25,7 +25,8 @@ const std::vector<Dataset>& Datasets() {
                                                                Tj4dRadSetDataset(),
                                                                MscRad4rDataset(),
                                                                ViewOfDelftDataset(),
-                                                               Ntu4dRadLmDataset()};
+                                                               Ntu4dRadLmDataset(),
+                                                               SimulatedDriveDataset()};
   return *datasets;
 }
 

@@ -30,7 +30,7 @@ std::array<float, kNumFields> Values(const RadarReturn& ret) {
           static_cast<float>(ret.power)};
 }
 
-std::string Text(float value) { return FormatText("%.9g", static_cast<double>(value)); }
+std::string Text(float value) { return ShortText(static_cast<double>(value)); }
 
 void AppendTextLine(const RadarReturn& ret, char separator, std::string* text) {
   std::size_t i = 0;

@@ -107,7 +107,10 @@ bool FindScans(const fs::path& root,
   std::vector<fs::path> candidates;
   std::string searched;
   for (const std::string& candidate : query.candidates) {
-    candidates.push_back(candidate == "." ? root : root / candidate);
+    const fs::path place = candidate == "." ? root : root / candidate;
+    // A dataset may name one of the usual folders.
+    if (std::find(candidates.begin(), candidates.end(), place) != candidates.end()) continue;
+    candidates.push_back(place);
     searched += (searched.empty() ? "" : ", ") + (candidate == "." ? "itself" : candidate + "/");
   }
   std::vector<ScanFolder> found;

@@ -172,10 +172,4 @@ bool WriteTumTrajectory(const std::filesystem::path& file,
   return WriteLines(file, trajectory, &TumLine, error);
 }
 
-bool WriteKittiTrajectory(const std::filesystem::path& file,
-                          const Trajectory& trajectory,
-                          std::string* error) {
-  return WriteLines(file, trajectory, &KittiLine, error);
-}
-
 }  // namespace radive

@@ -44,13 +44,10 @@ std::optional<RecordedTrajectory> ParseTrajectory(std::string_view text,
 std::string TumLine(const StampedPose& pose);
 std::string KittiLine(const StampedPose& pose);
 
-// Write a whole file. It appears complete under its name or not at all: the text goes to
+// Writes a whole file. It appears complete under its name or not at all: the text goes to
 // FILE.part first. False, with `error`, when that fails.
 bool WriteTumTrajectory(const std::filesystem::path& file,
                         const Trajectory& trajectory,
                         std::string* error);
-bool WriteKittiTrajectory(const std::filesystem::path& file,
-                          const Trajectory& trajectory,
-                          std::string* error);
 
 }  // namespace radive

@@ -56,6 +56,17 @@ TEST(DetectFormat, FilesByTheirFirstBytes) {
   }
 }
 
+TEST(DetectFormat, WhatTheSimulatorWrites) {
+  const TempFolder folder;
+  folder.Write("radar/000000.bin", Floats({1, 2, 3, 4, 5}));
+  EXPECT_EQ(Detect(folder.path()).layout, "");  // might be anything
+  folder.Write("scenario.json", "{}");
+  const Found found = Detect(folder.path());
+  EXPECT_EQ(found.format, Format::kRaw);
+  EXPECT_EQ(found.layout, "xyzdp5");
+  EXPECT_THAT(found.reason, HasSubstr("radive_simulate: *.bin in "));
+}
+
 TEST(DetectFormat, FilesThatAreNotWhatTheySay) {
   const TempFolder folder;
   folder.Write("a.bag", "no bag");

@@ -80,6 +80,7 @@ TEST_F(ReadReferenceOf, FoldersByWhatTheyHold) {
       {"dicp/ref_poses.txt", "0 1 2 3 0 0 0 1\n"},
       {"boreas/applanix/aeva_poses.csv", "names\n1606417097528152,1,2,3,0,0,0,0,0,0\n"},
       {"kitti/gt_poses_kitti.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n"},
+      {"simulated/gt_tum.txt", "0 1 2 3 0 0 0 1\n"},
       {"scenes/radar1_scans.csv", "timestamp_odom,x,y,yaw\n0.5,1,2,0\n"},
   };
   for (const auto& [name, text] : cases) {
