@@ -6,6 +6,7 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <clocale>
 #include <cstdio>
@@ -71,6 +72,21 @@ inline bool IsFlagSet(const char* name) {
   return gflags::GetCommandLineOption(name, &value) && value == "true";
 }
 
+// All values of --set, with commas between them: of a flag that is given twice gflags would take
+// the last value alone.
+inline std::string JoinedSettings(int argc, char** argv) {
+  std::string joined;
+  for (int i = 1; i < argc; ++i) {
+    std::string flag = argv[i];
+    if (flag == "--") break;
+    flag.erase(0, std::min(flag.find_first_not_of('-'), std::size_t{2}));
+    const bool is_apart = flag == "set" && argv[i][0] == '-' && i + 1 < argc;
+    if (!is_apart && (flag.compare(0, 4, "set=") != 0 || argv[i][0] != '-')) continue;
+    joined += (joined.empty() ? "" : ",") + (is_apart ? std::string(argv[++i]) : flag.substr(4));
+  }
+  return joined;
+}
+
 }  // namespace app_internal
 
 // What main() returns after it has printed: `status`, or ExitStatus::kFailure with a message when
@@ -102,6 +118,7 @@ inline void InitApp(int* argc,
   const std::string program = path.substr(path.find_last_of('/') + 1);
   gflags::SetUsageMessage(usage);
   gflags::SetVersionString(RADIVE_VERSION);
+  const std::string settings = app_internal::JoinedSettings(*argc, *argv);
   gflags::ParseCommandLineNonHelpFlags(argc, argv, /*remove_flags=*/true);
 
   if (app_internal::IsFlagSet("help") || app_internal::IsFlagSet("helpshort") ||
@@ -113,6 +130,7 @@ inline void InitApp(int* argc,
     std::printf("%s %s\n", program.c_str(), RADIVE_VERSION);
     std::exit(EndApp(ExitStatus::kSuccess));
   }
+  if (!settings.empty()) gflags::SetCommandLineOption("set", settings.c_str());
   if (*argc > 1 + max_arguments) {
     std::fprintf(stderr,
                  "%s: unexpected argument '%s' (inputs are --flags; see --help)\n",

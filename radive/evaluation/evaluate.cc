@@ -9,7 +9,9 @@
 
 #include "radive/evaluation/absolute_pose_error.h"
 #include "radive/evaluation/association.h"
+#include "radive/evaluation/path_length.h"
 #include "radive/evaluation/relative_pose_error.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -86,6 +88,23 @@ std::optional<std::string> UnmatchedPoses(const RecordedTrajectory& reference,
          (are_most_matched ? ", in the time that it covers" : "");
 }
 
+// Behind the alignment: a wrong unit, where that does not scale. Also of a drive that is lost.
+std::optional<std::string> DifferentLengths(const MatchedPoses& poses) {
+  constexpr double kShortest = 5.0;  // [m]
+  constexpr double kLargestRatio = 5.0;
+  const double reference = PathLengths(poses.reference).back();
+  const double estimate = PathLengths(poses.estimate).back();
+  const double ratio = estimate / reference;
+  if (std::max(reference, estimate) < kShortest ||
+      (ratio < kLargestRatio && ratio > 1.0 / kLargestRatio)) {
+    return std::nullopt;
+  }
+  return FormatText(
+      "the path of the estimate is %.4g m long, that of the reference %.4g m: are both in metres?",
+      estimate,
+      reference);
+}
+
 }  // namespace
 
 std::optional<EvaluationResult> Evaluate(const RecordedTrajectory& reference,
@@ -111,6 +130,7 @@ std::optional<EvaluationResult> Evaluate(const RecordedTrajectory& reference,
   if (auto doubt = UnmatchedPoses(reference, estimate, options, poses->reference.size())) {
     result.warnings.push_back(*std::move(doubt));
   }
+  if (auto doubt = DifferentLengths(*poses)) result.warnings.push_back(*std::move(doubt));
   if (!Measure(*poses, options, &result, error)) return std::nullopt;
   result.statistics = ComputeErrorStatistics(result.errors);
   return result;

@@ -41,7 +41,12 @@ bool IsResultFile(const std::string& name) {
 
 bool ResultWriter::Open(const std::filesystem::path& folder, std::string* error) {
   folder_ = folder;
-  if (!output_.Open(folder, IsResultFile, error)) return false;
+  // A folder that only has the name of a result is not ours to remove with what it holds.
+  const auto is_own = [folder](const std::string& name) {
+    std::error_code ignored;
+    return IsResultFile(name) && !std::filesystem::is_directory(folder / name, ignored);
+  };
+  if (!output_.Open(folder, is_own, error)) return false;
   for (const auto& [name, file] : Streams()) {
     names_.push_back(name);
     if (!file->Open(Partial(name), error)) return false;

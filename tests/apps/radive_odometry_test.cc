@@ -122,6 +122,16 @@ TEST_F(RadiveOdometry, ExitsWithTwoWithoutAResult) {
   EXPECT_EQ(RunProgram(Arguments("out", {"--frames=x"})).code, Code(ExitStatus::kFailure));
 }
 
+// gflags alone would keep the last --set, and the layout would be lost.
+TEST_F(RadiveOdometry, TakesTheSettingsOfEachSet) {
+  MakeDrive(In("drive"), 5, 60);
+  const Outcome outcome = RunProgram(Arguments(
+      "out", {"--set=input.rate=4,submap.num_keyframes=8", "-set", "submap.num_keyframes=9"}));
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_THAT(ReadFile(In("out") / "trajectory_tum.txt"), HasSubstr("\n1.000000000 "));
+  EXPECT_THAT(ReadFile(In("out") / "config.yaml"), HasSubstr("num_keyframes: 9"));
+}
+
 TEST_F(RadiveOdometry, StartAndFramesChooseAPart) {
   MakeDrive(In("drive"), 12, 60);
   ASSERT_EQ(RunProgram(Arguments("out", {"--start=2", "--frames=5"})).code, 0);

@@ -103,6 +103,22 @@ TEST(Evaluate, RelativeErrorsTakePairsFromTheEstimateUnlessTold) {
   EXPECT_EQ(on_reference->errors, (std::vector<double>{2.0}));
 }
 
+// 6 m, and the same in millimetres; half or twice as long is an error of the odometry.
+TEST(Evaluate, WarnsOfPathsOfOtherUnits) {
+  const RecordedTrajectory reference = StampedAlongX({0.0, 2.0, 4.0, 6.0});
+  for (const double scale : {1.0, 0.5, 2.0, 1000.0}) {
+    RecordedTrajectory estimate = reference;
+    for (RecordedPose& pose : estimate) pose.T_world_body.translation *= scale;
+    std::string error;
+    const auto result = Evaluate(reference, estimate, EvaluationOptions(), &error);
+    ASSERT_TRUE(result) << error;
+    EXPECT_EQ(result->warnings.size(), scale == 1000.0 ? 1u : 0u);
+    if (scale != 1000.0) continue;
+    EXPECT_THAT(result->warnings.at(0),
+                HasSubstr("estimate is 6000 m long, that of the reference 6 m"));
+  }
+}
+
 TEST(Evaluate, HandsErrorsOn) {
   std::string error;
   EvaluationOptions options;

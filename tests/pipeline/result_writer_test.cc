@@ -124,6 +124,17 @@ TEST(ResultWriter, LeavesFoldersWithOtherFilesAlone) {
   EXPECT_EQ(ReadFile(scratch.path() / "thesis.tex"), "years of work");
 }
 
+TEST(ResultWriter, LeavesFoldersWithTheNameOfAResultAlone) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch.path() / "map.ply");
+  std::ofstream(scratch.path() / "map.ply" / "mine") << "text";
+  ResultWriter writer;
+  std::string error;
+  EXPECT_FALSE(writer.Open(scratch.path(), &error));
+  EXPECT_THAT(error, HasSubstr("it holds map.ply"));
+  EXPECT_EQ(ReadFile(scratch.path() / "map.ply" / "mine"), "text");
+}
+
 TEST(ResultWriter, ReplacesEarlierResults) {
   const ScratchFolder scratch;
   std::string error;

@@ -94,7 +94,14 @@ class Detection {
     if (fs::is_regular_file(status)) return File();
     if (!fs::is_directory(status)) {
       return Refuse(
-          "expected a folder with radar scans, a bag or a point file, but it does not exist");
+          std::string("expected a folder with radar scans, a bag or a point file, but it ") +
+          (fs::exists(status) ? "is neither file nor folder" : "does not exist"));
+    }
+    // Their map would be a scan, and their tables drives.
+    if (fs::exists(path_ / "run.json", failure) &&
+        fs::exists(path_ / "trajectory_tum.txt", failure)) {
+      return Refuse(
+          "expected radar scans, but holds the results of a run (run.json, trajectory_tum.txt)");
     }
     return MetadataOfRosbag2() || BagFiles() || Scans();
   }

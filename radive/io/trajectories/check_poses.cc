@@ -14,6 +14,7 @@
 
 #include "radive/io/bytes/text_lines.h"
 #include "radive/io/trajectories/pose_text.h"
+#include "radive/io/trajectories/quaternion_order.h"
 #include "radive/util/number_text.h"
 
 namespace radive {
@@ -228,6 +229,11 @@ std::vector<std::string> DoubtsAboutPoses(const RecordedTrajectory& poses,
               "the rotations",
               "rad",
               &doubts);
+  }
+  if (has_rotations && HasScalarFirst(poses)) {
+    doubts.push_back(
+        "the rotations do not follow the motion, but would if the quaternions were written as "
+        "qw qx qy qz: name the columns in the first line");
   }
   for (std::string& doubt : doubts) doubt.insert(0, place + ": ");
   return doubts;

@@ -26,9 +26,10 @@ bool HasDecimalCommas(std::string_view line, std::string* problem);
 
 // What is odd about the poses of `place`, each doubt a line, with how many poses it concerns:
 // quaternions of length zero or more than 1 % off 1, matrices with ||R R^T - I|| > 1e-3, stamps
-// that go back, and spikes. A spike is a position (or rotation) off the interpolation of both
-// neighbours by more than 0.5 m (0.35 rad) and twenty times the median, which takes more than
-// 30 m/s^2 (30 rad/s^2). Without stamps poses are taken as evenly spaced, at an unknown rate.
+// that go back, quaternions that seem to be written as qw qx qy qz, and spikes. A spike is a
+// position (or rotation) off the interpolation of both neighbours by more than 0.5 m (0.35 rad) and
+// twenty times the median, which takes more than 30 m/s^2 (30 rad/s^2). Without stamps poses are
+// taken as evenly spaced, at an unknown rate.
 std::vector<std::string> DoubtsAboutPoses(const RecordedTrajectory& poses,
                                           bool has_stamps,
                                           bool has_rotations,

@@ -21,6 +21,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+// Ten turns, as of an angle that counts on in a spiral: of degrees it is soon exceeded [rad].
+constexpr double kLargestAngle = 63.0;
+
 bool IsThere(int column) { return column >= 0; }
 
 // The columns that every line must have.
@@ -63,14 +66,16 @@ bool SetStamp(const Words& words, const PoseColumns& columns, RecordedPose* pose
 }
 
 // One line to a pose; its columns are there. False when one is no finite number, which `bad` is.
-bool SetPose(const Words& words, const PoseColumns& columns, RecordedPose* pose, int* bad) {
+// `too_large`: an angle that can hardly be radians.
+bool SetPose(
+    const Words& words, const PoseColumns& columns, RecordedPose* pose, int* bad, int* too_large) {
   const auto value = [&](int column) {
     if (column < 0) return 0.0;
     const std::optional<double> number = ParseFinite(words[static_cast<std::size_t>(column)]);
     if (!number) *bad = column;
     return number.value_or(0.0);
   };
-  *bad = -1;
+  *bad = *too_large = -1;
   const std::array<int, 3>& p = columns.position;
   pose->T_world_body.translation << value(p[0]), value(p[1]), value(p[2]);
   const std::array<int, 4>& q = columns.quaternion;
@@ -85,6 +90,9 @@ bool SetPose(const Words& words, const PoseColumns& columns, RecordedPose* pose,
     SetRotation(value(q[3]), value(q[0]), value(q[1]), value(q[2]), pose);
   } else {
     const std::array<int, 3>& a = columns.angles;
+    for (const int column : a) {
+      if (columns.angle_unit == 1.0 && std::abs(value(column)) > kLargestAngle) *too_large = column;
+    }
     pose->T_world_body.rotation = RotationOfAngles({columns.angle_unit * value(a[0]),
                                                     columns.angle_unit * value(a[1]),
                                                     columns.angle_unit * value(a[2])},
@@ -149,11 +157,18 @@ bool ParsePoseTable(std::string_view text,
       return false;
     }
     int bad = -1;
-    if (!SetPose(words, columns, &poses->emplace_back(), &bad)) {
+    int too_large = -1;
+    if (!SetPose(words, columns, &poses->emplace_back(), &bad, &too_large)) {
       *error = where + ": expected " +
                (bad == columns.stamp ? "a stamp within 146 years of zero" : "a finite number") +
                " in column " + std::to_string(bad + 1) + ", found " +
                Quoted(words[static_cast<std::size_t>(bad)]);
+      return false;
+    }
+    if (too_large >= 0) {
+      *error = where + ": expected angles in radians, found " +
+               Quoted(words[static_cast<std::size_t>(too_large)]) + " in column " +
+               std::to_string(too_large + 1) + ": degrees? Say so in its name, as in yaw_deg";
       return false;
     }
     if (!CheckPose(poses->back(), &problem)) {

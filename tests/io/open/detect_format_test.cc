@@ -78,6 +78,7 @@ TEST(DetectFormat, FilesThatAreNotWhatTheySay) {
   EXPECT_THAT(Detect(folder.path() / "c.jpg").error,
               HasSubstr("expected a bag (.bag, .mcap, .db3), points (.pcd,"));
   EXPECT_THAT(Detect(folder.path() / "absent").error, HasSubstr("does not exist"));
+  EXPECT_THAT(Detect("/dev/null").error, HasSubstr("is neither file nor folder"));
 }
 
 TEST(DetectFormat, FoldersByWhatTheyHold) {
@@ -177,6 +178,15 @@ TEST(DetectFormat, AFolderWithoutScansSaysWhatWasLookedFor) {
               AllOf(HasSubstr(folder.string()),
                     HasSubstr("no scans found; looked for bags (*.bag"),
                     HasSubstr("RadarScenes")));
+}
+
+// A run's map would be a scan.
+TEST(DetectFormat, ResultsAreNoDrive) {
+  const TempFolder folder;
+  for (const char* name : {"map.ply", "scans.csv", "run.json", "trajectory_tum.txt"}) {
+    folder.Write(name, "something");
+  }
+  EXPECT_THAT(Detect(folder.path()).error, HasSubstr("but holds the results of a run"));
 }
 
 TEST(DetectFormat, LeavesASetFormatAlone) {

@@ -6,16 +6,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "radive/io/trajectories/trajectory_io.h"
 
 namespace radive {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 RecordedTrajectory ReadChecked(const std::string& text,
                                TrajectoryFormat format = TrajectoryFormat::kTum) {
@@ -122,6 +127,36 @@ TEST(CheckPoses, SpikesAreDoubted) {
   // A jump for good is told, by the poses before and behind it.
   for (std::size_t i = 9; i < start.size(); ++i) start[i].T_world_body.translation.y() = 3.0;
   EXPECT_THAT(Doubts(start), ElementsAre(HasSubstr("positions of 2 of 11 poses")));
+}
+
+// Around a circle of 20 m radius, a metre from pose to pose: q = (0, 0, sin, cos) of half the
+// heading. Straight ahead both orders follow the motion.
+TEST(CheckPoses, QuaternionsWithTheScalarFirstAreDoubted) {
+  const auto drive = [](bool is_scalar_first, double turn) {
+    std::string text;
+    for (int i = 0; i < 40; ++i) {
+      const double heading = turn * i;
+      const double x = turn == 0.0 ? i : std::sin(heading) / turn;
+      const double y = turn == 0.0 ? 0.0 : (1.0 - std::cos(heading)) / turn;
+      const std::string s = std::to_string(std::sin(heading / 2.0));
+      const std::string c = std::to_string(std::cos(heading / 2.0));
+      text += std::to_string(i) + " " + std::to_string(x) + " " + std::to_string(y) + " 0 " +
+              (is_scalar_first ? c + " 0 0 " + s : "0 0 " + s + " " + c) + "\n";
+    }
+    return ReadChecked(text);
+  };
+  EXPECT_THAT(Doubts(drive(true, 0.05)),
+              ElementsAre(HasSubstr("would if the quaternions were written as qw qx qy qz")));
+  EXPECT_THAT(Doubts(drive(false, 0.05)), IsEmpty());
+  EXPECT_THAT(Doubts(drive(true, 0.0)), IsEmpty());
+  // Headings that have nothing to do with the motion.
+  RecordedTrajectory other = drive(false, 0.05);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    other[i].T_world_body.rotation =
+        Eigen::AngleAxisd(1.7 * static_cast<double>(i), Eigen::Vector3d::UnitZ())
+            .toRotationMatrix();
+  }
+  EXPECT_THAT(Doubts(other), Not(Contains(HasSubstr("qw qx qy qz"))));
 }
 
 TEST(CheckPoses, StampsThatGoBackAreDoubted) {

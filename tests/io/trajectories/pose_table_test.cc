@@ -52,6 +52,13 @@ TEST(PoseTable, ReadsTheCarOfRadarScenesByTheNamesOfTheColumns) {
   EXPECT_FALSE(ColumnsOf("RadarScenes", "scan,timestamp_rad,x,y"));
 }
 
+TEST(PoseTable, AnglesThatCanHardlyBeRadiansAreAnError) {
+  const std::string names = "scan,timestamp_rad,yaw,x,timestamp_odom,y";
+  EXPECT_THAT(ErrorOf(names + "\n1,0.5,1.5,10,0.1,20\n2,0.6,-90,10,0.2,20\n",
+                      *ColumnsOf("RadarScenes", names)),
+              HasSubstr("table:3: expected angles in radians, found '-90' in column 3: degrees?"));
+}
+
 // As pyboreas turns them: looking along x with a yaw of 90 degrees is looking along -y.
 TEST(PoseTable, ReadsBoreasWithMicrosecondsAndPassiveAngles) {
   const RecordedTrajectory poses = Parse(
