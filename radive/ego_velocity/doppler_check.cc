@@ -41,6 +41,12 @@ constexpr double kFirstLookInterval = 2.0;  // grows twofold from look to look
 constexpr double kPairsOfFirstLook = 15.0;
 constexpr double kDoubt = -1.0;     // [standard deviations]
 constexpr double kLongLook = 10.0;  // [s]
+// By so much, or in so many pairs whose scans make no sense, it contradicts what was decided: then
+// what follows is judged by itself.
+constexpr double kContradiction = -4.5;  // [standard deviations]
+constexpr double kScansWithoutPattern = 8.0;
+constexpr double kShareWithPattern = 0.3;
+constexpr double kShareOfSense = 0.5;  // with less, no single scan ends the look
 
 // A drive that stands longer than this is remarkable [s].
 constexpr double kLongStanding = 10.0;
@@ -177,6 +183,21 @@ void DopplerCheck::Add(const RadarScan& scan) {
   if (IsFirm(radar)) EndLookIfDone(scan.stamp_ns, &radar);
 }
 
+void DopplerCheck::LookAgain(int number) {
+  const auto entry = radars_.find(number);
+  if (entry == radars_.end() || !entry->second.next_look_ns) return;
+  std::int64_t& next_look_ns = *entry->second.next_look_ns;
+  next_look_ns = std::min(next_look_ns, entry->second.last_ns);
+}
+
+bool DopplerCheck::IsContradicted(std::int64_t stamp_ns, const Radar& radar) {
+  if (!radar.next_look_ns || radar.is_doubted) return false;
+  if (Seconds(stamp_ns - radar.look_begin_ns) < kLook) return false;
+  return radar.look_advantage.t() < kContradiction ||
+         (radar.look_pattern.count() >= kScansWithoutPattern &&
+          radar.look_pattern.mean() < kShareWithPattern);
+}
+
 void DopplerCheck::EndLookIfDone(std::int64_t stamp_ns, Radar* radar) {
   const double time = Seconds(stamp_ns - radar->look_begin_ns);
   const int sign = radar->verdict == Verdict::kMinus ? -1 : 1;
@@ -185,16 +206,27 @@ void DopplerCheck::EndLookIfDone(std::int64_t stamp_ns, Radar* radar) {
     is_done = radar->evidence.NumScalePairs() >= kPairsOfFirstLook || time > kFirstLook;
   } else if (radar->last_pair_ns == stamp_ns) {
     radar->look_advantage.Add(radar->evidence.LastAdvantage(sign));
+    radar->look_pattern.Add(radar->evidence.LastScanHasPattern() ? 1.0 : 0.0);
     is_done |= radar->evidence.LastScanHasPattern() &&
                (radar->evidence.LastPairConfirms(sign) ||
-                (time > kLook && radar->look_advantage.t() > kDoubt));
+                (time > kLook && radar->look_advantage.t() > kDoubt &&
+                 radar->look_pattern.mean() > kShareOfSense));
   } else {
     is_done |= time > kLook && radar->look_advantage.count() == 0.0;
   }
+  // What was seen long ago must not outvote what is seen now.
+  if (IsContradicted(stamp_ns, *radar)) {
+    radar->evidence = DopplerEvidence();
+    radar->is_doubted = true;
+    radar->look_begin_ns = stamp_ns;
+    return;
+  }
   if (!is_done) return;
+  radar->is_doubted = false;
   radar->look_interval = std::clamp(2.0 * radar->look_interval, kFirstLookInterval, kLookInterval);
   radar->next_look_ns = stamp_ns + static_cast<std::int64_t>(radar->look_interval * 1e9);
   radar->look_advantage = MeanTest();
+  radar->look_pattern = MeanTest();
 }
 
 void DopplerCheck::AddPair(const PastScan& before,
@@ -221,7 +253,7 @@ void DopplerCheck::AddPair(const PastScan& before,
                           dt,
                           {displacement(before.fit.v_plus, after.fit.v_plus),
                            displacement(before.fit.v_minus, after.fit.v_minus)});
-  if (!IsFirm(*radar)) {
+  if (!IsFirm(*radar) || radar->is_doubted) {
     if (const auto v_vehicle = radar->evidence.MotionOfPoints()) {
       radar->motion_of_points.push_back({after.stamp_ns, *v_vehicle});
     }

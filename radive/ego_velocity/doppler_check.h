@@ -61,6 +61,8 @@ class DopplerCheck {
   bool IsDecided(int radar) const;
   // Whether the radar stood at the scan, so that the sign does not matter: known some scans later.
   bool IsStanding(const RadarScan& scan) const;
+  // Something has changed with the scans of this radar: they are looked at from the next one on.
+  void LookAgain(int radar);
   // Gives up waiting for certainty: the Doppler is taken to have the sign that is likelier by the
   // points, or by which the vehicle drives forward where they say nothing.
   void Assume(int radar);
@@ -99,6 +101,8 @@ class DopplerCheck {
     std::int64_t look_begin_ns = 0;              // of the present look
     std::optional<std::int64_t> next_look_ns;    // none as long as the first one lasts
     MeanTest look_advantage;                     // of its pairs, for what is decided
+    MeanTest look_pattern;                       // 1 for scans with a pattern, 0 for those without
+    bool is_doubted = false;                     // the evidence is that of this look alone
     double look_interval = 0.0;                  // to the next [s]
     std::deque<PlaneVelocity> motion_of_points;  // before the verdict
     std::int64_t begin_ns = 0, last_ns = 0;      // first and last scan
@@ -114,6 +118,8 @@ class DopplerCheck {
   static bool IsFirm(const Radar& radar);
   // Which scans of a radar are looked at.
   bool IsLookingAt(std::int64_t stamp_ns, int number, const Radar& radar) const;
+  // Whether the present look contradicts what was decided by those before it.
+  static bool IsContradicted(std::int64_t stamp_ns, const Radar& radar);
   // Ends the look of a radar that is firm when it has seen enough.
   static void EndLookIfDone(std::int64_t stamp_ns, Radar* radar);
   void AddPair(const PastScan& before, const PastScan& after, int number, Radar* radar) const;

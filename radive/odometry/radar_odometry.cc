@@ -210,6 +210,23 @@ void RadarOdometry::Locate(const RadarScan& scan,
       !velocity.reason.empty() && motion_.UnknownTime(dt) == 0.0) {
     result->reason = "ego velocity: " + velocity.reason + (is_refused ? "; " + result->reason : "");
   }
+  TellWhatIsDropped(result);
+}
+
+// What a scan with hardly any return left lacks is in its reason; this is where they went.
+void RadarOdometry::TellWhatIsDropped(OdometryResult* result) const {
+  const DropCounts& dropped = result->dropped;
+  const int num_outside = dropped.not_finite + dropped.out_of_range + dropped.out_of_view;
+  if (2 * num_outside <= result->num_returns) return;
+  result->reason += FormatText("; of %d returns %d are outside %g to %g m, %d outside the view",
+                               result->num_returns,
+                               dropped.out_of_range,
+                               options_.preprocessing.min_range,
+                               options_.preprocessing.max_range,
+                               dropped.out_of_view);
+  if (dropped.not_finite > 0) {
+    result->reason += FormatText(", and %d are no numbers", dropped.not_finite);
+  }
 }
 
 void RadarOdometry::LearnFit(const OdometryResult& result) {

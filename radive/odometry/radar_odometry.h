@@ -65,6 +65,7 @@ class RadarOdometry {
   void LocateBehindGap(const FilteredScan& filtered, double dt, OdometryResult* result);
   void WarnOfGap(double dt, const OdometryResult& result);
   // Takes in how well a registered scan fits.
+  void TellWhatIsDropped(OdometryResult* result) const;
   void LearnFit(const OdometryResult& result);
   bool IsKeyframe(const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);

@@ -5,12 +5,14 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "radive/ego_velocity/doppler_check.h"
+#include "radive/ego_velocity/ego_velocity.h"
 #include "radive/io/scans/scan_source.h"
 
 namespace radive {
@@ -31,20 +33,29 @@ class DopplerCheckedSource : public ScanSource {
   std::optional<int> NumScans() const override { return source_->NumScans(); }
 
   const DopplerCheck& check() const { return check_; }
+  // What became of the scan given last. Where the Doppler gives no velocity for some scans, it may
+  // have changed, and is looked at again.
+  void AddVelocity(const RadarScan& scan, const EgoVelocity& velocity);
   // No more scans will be taken.
-  void Conclude() { check_.Conclude(); }
-  std::vector<DopplerRemark> TakeRemarks() { return check_.TakeRemarks(); }
+  void Conclude();
+  std::vector<DopplerRemark> TakeRemarks();
 
  private:
   // Of the first scan that is held back.
   bool CanGoOn();
+  // Scans without a number for the Doppler in a drive that has it: the points alone must do.
+  void LookForNumbers(RadarScan* scan);
 
   ScanSource* const source_;
   DopplerCheck check_;
   std::deque<RadarScan> held_back_;
-  std::size_t num_returns_ = 0;           // of the scans that are held back
-  std::set<int> radars_;                  // of the drive so far
-  Status status_behind_ = Status::kScan;  // the scans that are held back
+  std::size_t num_returns_ = 0;                         // of the scans that are held back
+  std::set<int> radars_;                                // of the drive so far
+  Status status_behind_ = Status::kScan;                // the scans that are held back
+  std::map<int, int> num_without_velocity_;             // radar -> scans in a row
+  int num_with_numbers_ = 0, num_without_numbers_ = 0;  // scans
+  std::string first_without_numbers_;                   // its place
+  std::vector<DopplerRemark> remarks_;
 };
 
 }  // namespace radive

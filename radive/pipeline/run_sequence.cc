@@ -17,6 +17,7 @@
 #include "radive/pipeline/map_files.h"
 #include "radive/pipeline/output_frame.h"
 #include "radive/pipeline/plausibility.h"
+#include "radive/pipeline/predicted_poses.h"
 #include "radive/pipeline/result_writer.h"
 #include "radive/pipeline/run_report.h"
 #include "radive/pipeline/run_scores.h"
@@ -50,6 +51,8 @@ class SequenceRun {
     RunStatus status = AddScans(error);
     checked_source_.Conclude();
     TellAboutSource();
+    predicted_.Finish();
+    for (const std::string& warning : predicted_.TakeWarnings()) Warn(warning);
     const std::vector<std::string> implausible = plausibility_.Warnings();
     for (const std::string& warning : implausible) Warn(warning);
     // Of zero scans that were asked for, zero poses are the result.
@@ -146,6 +149,9 @@ class SequenceRun {
       }
       OdometryResult result = odometry_.AddScan(scan);
       plausibility_.AddPose(result);
+      predicted_.Add(result, scan.place);
+      for (const std::string& warning : predicted_.TakeWarnings()) Warn(warning);
+      checked_source_.AddVelocity(scan, result.ego_velocity);
       if (!frame_) frame_.emplace(config_, scan.radar);
       frame_->Apply(&result);
       for (const std::string& note : odometry_.TakeNotes()) Note(note);
@@ -260,6 +266,7 @@ class SequenceRun {
   ResultWriter writer_;
   RunReport report_;
   Plausibility plausibility_;
+  PredictedPoses predicted_;
   Progress progress_;
   bool has_failed_to_write_ = false;
 };

@@ -203,6 +203,35 @@ TEST(DopplerCheck, ChangesWhatItSaidWhenTheEvidenceTurns) {
   EXPECT_THAT(remarks[1].text, HasSubstr("from here on"));
 }
 
+// Looked at again when something has changed, 3 s do: between its looks it would take up to 15 s.
+TEST(DopplerCheck, LooksAgainAtOnceWhenAskedTo) {
+  Random random(3);
+  const Fault faults[] = {[](const RadarReturn& ret) { return -ret.doppler; },
+                          [](const RadarReturn&) { return 0.0; },
+                          [&](const RadarReturn&) { return random.Uniform(-15.0, 15.0); }};
+  const int factors[] = {-1, 0, 0};
+  const std::vector<RadarScan> healthy = StaticScans(270, kForward, 1.0);
+  for (int k = 0; k < 3; ++k) {
+    DopplerCheck check = Checked({healthy.begin(), healthy.begin() + 200});
+    ASSERT_EQ(check.Factor(0), 1);
+    check.TakeRemarks();
+    check.LookAgain(0);
+    const std::vector<RadarScan> rest = Faulty({healthy.begin() + 200, healthy.end()}, faults[k]);
+    for (const RadarScan& scan : rest) check.Add(scan);
+    EXPECT_EQ(check.Factor(0), factors[k]) << k;
+    const auto remarks = check.TakeRemarks();
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_TRUE(remarks[0].is_warning);
+    EXPECT_THAT(remarks[0].text, HasSubstr("from here on, after other evidence before"));
+  }
+  DopplerCheck check = Checked({healthy.begin(), healthy.begin() + 200});
+  check.TakeRemarks();
+  check.LookAgain(0);
+  for (std::size_t i = 200; i < healthy.size(); ++i) check.Add(healthy[i]);
+  EXPECT_EQ(check.Factor(0), 1);
+  EXPECT_TRUE(check.TakeRemarks().empty());
+}
+
 TEST(FitDoppler, FindsTheVelocityAmongMovingReturns) {
   RadarScan scan = StaticScan(0, kForward, 1.0);
   for (std::size_t i = 0; i < scan.returns.size(); i += 3) scan.returns[i].doppler += 5.0;

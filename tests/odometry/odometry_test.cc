@@ -122,6 +122,17 @@ TEST(Odometry, PassesOverScansWithTooFewReturns) {
   }
 }
 
+// Positions in centimetres: all returns are beyond the largest range.
+TEST(Odometry, SaysWhereTheReturnsWent) {
+  RadarScan scan = StreetDrive().ScanAt(0);
+  for (RadarReturn& ret : scan.returns) ret.position *= 100.0;
+  Odometry odometry(Options());
+  const std::string reason = odometry.AddScan(scan).reason;
+  const std::string count = std::to_string(scan.returns.size());
+  EXPECT_NE(reason.find("of " + count + " returns " + count + " are outside "), std::string::npos)
+      << reason;
+}
+
 // From the very first scan on: nothing to start from, no pose but the origin.
 TEST(Odometry, StartsWithTheFirstScanThatHasReturns) {
   const StreetDrive drive;

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
 #include <vector>
 
 #include "tests/pipeline/fake_scan_source.h"
@@ -97,6 +99,46 @@ TEST(DopplerCheckedSource, SaysSoWhenTheRadarNeverMoves) {
   ASSERT_EQ(remarks.size(), 1u);
   EXPECT_TRUE(remarks[0].is_warning);
   EXPECT_THAT(remarks[0].text, HasSubstr("undecided, +1 assumed: the radar does not move"));
+}
+
+TEST(DopplerCheckedSource, ScansWithoutNumbersGoByTheirPointsAndAreCounted) {
+  std::vector<RadarScan> scans = StaticScans(60, kForward, 1.0);
+  for (std::size_t i = 40; i < 50; ++i) {
+    scans[i].place = "scan " + std::to_string(i);
+    for (RadarReturn& ret : scans[i].returns) ret.doppler = std::nan("");
+  }
+  scans[50].returns[0].doppler = std::nan("");  // one of many
+  FakeScanSource inner(scans);
+  DopplerCheckedSource source(&inner, NewCheck());
+  const std::vector<RadarScan> read = ReadAll(&source);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read[i].has_doppler, i < 40 || i >= 50) << i;
+  }
+  source.Conclude();
+  const auto remarks = source.TakeRemarks();
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_TRUE(remarks[1].is_warning);
+  EXPECT_THAT(remarks[1].text, HasSubstr("no number in 10 of 60 scans"));
+  EXPECT_THAT(remarks[1].text, HasSubstr("the first: scan 40"));
+}
+
+// 20 s of the right sign, then of the wrong one: 7 s do where the velocities are told.
+TEST(DopplerCheckedSource, LooksAgainWhereScansHaveNoVelocity) {
+  std::vector<RadarScan> scans = StaticScans(270, kForward, 1.0);
+  for (std::size_t i = 200; i < scans.size(); ++i) {
+    for (RadarReturn& ret : scans[i].returns) ret.doppler = -ret.doppler;
+  }
+  for (const bool are_told : {true, false}) {
+    FakeScanSource inner(scans);
+    DopplerCheckedSource source(&inner, NewCheck());
+    RadarScan scan;
+    for (int i = 0; source.Next(&scan) == ScanSource::Status::kScan; ++i) {
+      EgoVelocity velocity;
+      velocity.valid = i < 200;
+      if (are_told) source.AddVelocity(scan, velocity);
+    }
+    EXPECT_EQ(source.check().Factor(0), are_told ? -1 : 1);
+  }
 }
 
 TEST(DopplerCheckedSource, DeliversWhatCameBeforeAnError) {

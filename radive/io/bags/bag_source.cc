@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radive/io/bags/point_cloud_messages.h"
+#include "radive/io/bags/topic_names.h"
 #include "radive/io/bytes/stamp_text.h"
 #include "radive/io/bytes/text_lines.h"
 #include "radive/util/number_text.h"
@@ -18,23 +19,6 @@ namespace {
 
 // Header stamps that are the same in so many messages are no stamps.
 constexpr std::size_t kMessagesLookedAt = 8;
-
-// "/tf (tf2_msgs/TFMessage, 517 messages)".
-std::string NameOf(const MessageTopic& topic) {
-  std::string text = topic.name + " (" + topic.type;
-  if (topic.num_messages) text += ", " + std::to_string(*topic.num_messages) + " messages";
-  return text + ")";
-}
-
-std::string NamesOf(const std::vector<MessageTopic>& topics) {
-  constexpr std::size_t kMostNames = 50;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(topics.size(), kMostNames); ++i) {
-    names += (i == 0 ? "" : ", ") + NameOf(topics[i]);
-  }
-  if (topics.size() > kMostNames) names += ", ...";
-  return topics.empty() ? "no topics" : names;
-}
 
 bool IsPointCloud(const MessageTopic& topic) {
   return PointCloudTypeOf(topic) != PointCloudType::kNone;
@@ -252,7 +236,15 @@ ScanSource::Status BagSource::ReadMessage(bool needs_returns, Stamped* stamped) 
         place_ + ": message " + std::to_string(num_messages_) + " of " + topic().name;
     stamped->record_ns = message.record_ns;
     stamped->trigger_ns = std::exchange(trigger_ns_, std::nullopt);
-    if (ReadPointCloudStamp(message.payload, topic(), &stamped->header_ns)) break;
+    std::string_view frame_id;
+    if (ReadPointCloudStamp(message.payload, topic(), &stamped->header_ns, &frame_id)) {
+      const std::string remark = frame_watch_.Look(frame_id);
+      if (!remark.empty()) {
+        counted_.Add("point clouds of another frame in " + place_,
+                     stamped->scan.place + ": " + remark);
+      }
+      break;
+    }
     counted_.Add("damaged messages in " + place_,
                  stamped->scan.place + ": cut off or not serialised as " + topic().encoding +
                      "; it is passed over");

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "radive/io/bags/frame_watch.h"
 #include "radive/io/bags/message_source.h"
 #include "radive/io/bags/open_message_source.h"
 #include "radive/io/scans/input_options.h"
@@ -85,6 +86,7 @@ class BagSource : public ScanSource {
   const std::string place_;
   PointConverter converter_;
   CountedWarnings counted_;
+  FrameWatch frame_watch_;
   int num_messages_ = 0;      // read so far
   bool has_returns_ = false;  // of some message
   bool has_read_ = false;     // some message, be it without returns

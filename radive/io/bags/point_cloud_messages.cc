@@ -264,9 +264,12 @@ bool IsRosEncoding(const MessageTopic& topic) {
 
 bool ReadPointCloudStamp(std::string_view payload,
                          const MessageTopic& topic,
-                         std::int64_t* stamp_ns) {
+                         std::int64_t* stamp_ns,
+                         std::string_view* frame_id) {
   RosMessageReader reader(payload, EncodingOf(topic));
-  *stamp_ns = reader.ReadHeader().stamp_ns;
+  const RosMessageReader::Header header = reader.ReadHeader();
+  *stamp_ns = header.stamp_ns;
+  if (frame_id != nullptr) *frame_id = header.frame_id;
   return !reader.failed();
 }
 

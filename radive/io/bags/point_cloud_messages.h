@@ -27,11 +27,12 @@ PointCloudType PointCloudTypeOf(const MessageTopic& topic);
 // True when the reader below knows the serialisation of the topic.
 bool IsRosEncoding(const MessageTopic& topic);
 
-// Reads the header's stamp of a message of a point-cloud topic [ns]. False when it is cut off or
-// has another encoding.
+// Reads the header's stamp of a message of a point-cloud topic [ns]; with `frame_id` also what it
+// is measured in, a view of `payload`. False when it is cut off or has another encoding.
 bool ReadPointCloudStamp(std::string_view payload,
                          const MessageTopic& topic,
-                         std::int64_t* stamp_ns);
+                         std::int64_t* stamp_ns,
+                         std::string_view* frame_id = nullptr);
 
 // Reads the points of a message of a point-cloud topic. `table` may be a view of `payload`. False,
 // with the reason in `error`, when the message is cut off or contradicts itself.

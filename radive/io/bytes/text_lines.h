@@ -39,16 +39,19 @@ inline std::string_view WithoutByteOrderMark(std::string_view text) {
              : text;
 }
 
-// The lines of a text one by one, with their numbers. Line ends are LF or CRLF, the last may be
-// missing; a UTF-8 byte order mark in front is dropped. Holds a view: the text must outlive it.
+// The lines of a text one by one, with their numbers. Line ends are LF or CRLF, or CR where there
+// is no LF, as old programs for the Mac write them; the last may be missing; a UTF-8 byte order
+// mark in front is dropped. Holds a view: the text must outlive it.
 class TextLines {
  public:
-  explicit TextLines(std::string_view text) : rest_(WithoutByteOrderMark(text)) {}
+  explicit TextLines(std::string_view text)
+      : rest_(WithoutByteOrderMark(text)),
+        line_end_(rest_.find('\n') == std::string_view::npos ? '\r' : '\n') {}
 
   // False at the end of the text.
   bool Next(std::string_view* line) {
     if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
+    const std::size_t end = rest_.find(line_end_);
     *line = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     if (!line->empty() && line->back() == '\r') line->remove_suffix(1);
@@ -61,6 +64,7 @@ class TextLines {
 
  private:
   std::string_view rest_;
+  char line_end_;
   int number_ = 0;
 };
 

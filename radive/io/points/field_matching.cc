@@ -156,9 +156,17 @@ bool HasAliasAndUnit(std::string_view lower_case, const Alias& alias) {
   return name.name == alias.name && FactorOf(alias.role, name);
 }
 
+// Lower case, without the "scalar_" that CloudCompare puts in front.
+std::string PlainName(std::string_view name) {
+  constexpr std::string_view kScalar = "scalar_";
+  std::string plain = LowerCase(name);
+  if (plain.compare(0, kScalar.size(), kScalar) == 0) plain.erase(0, kScalar.size());
+  return plain;
+}
+
 int IndexOfAlias(const std::vector<PointField>& fields, const Alias& alias) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (HasAliasAndUnit(LowerCase(fields[i].name), alias)) return static_cast<int>(i);
+    if (HasAliasAndUnit(PlainName(fields[i].name), alias)) return static_cast<int>(i);
   }
   return -1;
 }
@@ -202,7 +210,7 @@ bool ApplyChoices(const std::vector<PointField>& fields,
 const char* NameOf(FieldRole role) { return kRoleNames[static_cast<std::size_t>(role)]; }
 
 std::optional<FieldRole> RoleOfName(std::string_view name) {
-  const std::string lower_case = LowerCase(name);
+  const std::string lower_case = PlainName(name);
   for (const Alias& alias : kAliases) {
     if (alias.name == lower_case) return alias.role;
   }
@@ -213,7 +221,7 @@ std::optional<FieldRole> RoleOfName(std::string_view name) {
 }
 
 double UnitOfName(FieldRole role, std::string_view name) {
-  const std::string lower_case = LowerCase(name);
+  const std::string lower_case = PlainName(name);
   return FactorOf(role, SplitUnit(lower_case)).value_or(1.0);
 }
 

@@ -12,6 +12,7 @@
 
 #include "radive/io/bytes/byte_order.h"
 #include "radive/io/bytes/text_lines.h"
+#include "radive/util/number_text.h"
 
 namespace radive {
 namespace {
@@ -88,11 +89,17 @@ Float32Number Float32Reader(const PointTable& table, const FieldMatch& match, Fi
   return {true, table.fields[static_cast<std::size_t>(match[role])].offset};
 }
 
-void ReadPolar(const PointTable& table,
+// False, with the reason in `error`, when the angles are no radians.
+bool ReadPolar(const PointTable& table,
                const FieldMatch& match,
                bool planar,
                double doppler_sign,
-               std::vector<RadarReturn>* returns) {
+               std::vector<RadarReturn>* returns,
+               std::string* error) {
+  constexpr double kLargestAngle = 6.4;    // a turn, rounded up [rad]
+  constexpr std::size_t kShareBeyond = 4;  // one in so many: single ones stand for "invalid"
+  std::size_t num_beyond = 0;
+  double largest = 0.0;  // [rad]
   const auto reader = [&](FieldRole role) { return AnyReader(table, match, role); };
   const AnyNumber range_of = reader(FieldRole::kRange);
   const AnyNumber azimuth_of = reader(FieldRole::kAzimuth);
@@ -105,6 +112,10 @@ void ReadPolar(const PointTable& table,
     const double range = range_of(record);
     const double azimuth = azimuth_of(record);
     const double elevation = planar ? 0.0 : elevation_of(record);
+    if (std::abs(azimuth) > kLargestAngle) {
+      ++num_beyond;
+      largest = std::max(largest, std::abs(azimuth));
+    }
     const double horizontal = planar ? range : range * std::cos(elevation);
     ret.position = {horizontal * std::cos(azimuth),
                     horizontal * std::sin(azimuth),
@@ -113,6 +124,12 @@ void ReadPolar(const PointTable& table,
     ret.power = power_of(record);
     record += table.stride;
   }
+  if (num_beyond * kShareBeyond <= table.num_points) return true;
+  *error = FormatText("the azimuths go up to %.4g: degrees? Expected radians in ", largest) +
+           Quoted(table.fields[static_cast<std::size_t>(match[FieldRole::kAzimuth])].name) +
+           ", or the unit in its name (azimuth_deg)";
+  returns->clear();
+  return false;
 }
 
 template <typename Number, typename MakeReader>
@@ -228,7 +245,7 @@ bool PointConverter::Convert(const PointTable& table, RadarScan* scan, std::stri
   scan->has_doppler = match_.Has(FieldRole::kDoppler);
   scan->is_planar = planar_ || !match_.Has(height);
   if (!is_cartesian) {
-    ReadPolar(table, match_, scan->is_planar, doppler_sign_, &scan->returns);
+    return ReadPolar(table, match_, scan->is_planar, doppler_sign_, &scan->returns, error);
   } else if (UsesOnlyFloat32(table, match_)) {
     const auto readers = CartesianReaders<Float32Number>(table, match_, Float32Reader);
     ReadCartesian(table, readers, scan->is_planar, doppler_sign_, &scan->returns);

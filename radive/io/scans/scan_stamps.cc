@@ -56,25 +56,33 @@ Lines LinesOf(std::string_view text, bool is_trajectory) {
   return lines;
 }
 
-// Seconds since 1970 and nanoseconds within them.
-bool AreSecondsAndNanoseconds(const Texts& seconds, const Texts& nanoseconds) {
+// Seconds since 1970, and the rest in whole ms, us or ns.
+bool AreSecondsAndRest(const Texts& seconds, const Texts& rest) {
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     const auto s = ParseCount(seconds[i]);
-    const auto ns = ParseCount(nanoseconds[i]);
-    if (!s || !ns || *s < 100'000'000 || *s > 9'223'372'035 || *ns >= 1'000'000'000) return false;
+    const auto part = ParseCount(rest[i]);
+    if (!s || !part || *s < 100'000'000 || *s > 9'223'372'035 || rest[i].size() > 9) return false;
   }
   return !seconds.empty();
+}
+
+// As of file names: the unit of the rest is the largest that the longest number leaves.
+int ExponentOfRest(const Texts& rest) {
+  std::size_t longest = 0;
+  for (const std::string_view text : rest) longest = std::max(longest, text.size());
+  return longest <= 3 ? -3 : longest <= 6 ? -6 : -9;
 }
 
 // Of several columns: the stamps. Nothing when no column holds any, or several do.
 std::optional<StampSequence> StampsOfColumns(const std::vector<Texts>& columns, double rate) {
   for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
-    if (!AreSecondsAndNanoseconds(columns[i], columns[i + 1])) continue;
+    if (!AreSecondsAndRest(columns[i], columns[i + 1])) continue;
+    const int exponent = ExponentOfRest(columns[i + 1]);
     StampSequence sequence;
-    sequence.unit = "s and ns";
+    sequence.unit = exponent == -3 ? "s and ms" : exponent == -6 ? "s and us" : "s and ns";
     for (std::size_t k = 0; k < columns[i].size(); ++k) {
       sequence.stamps_ns.push_back(*ParseInteger(columns[i][k]) * 1'000'000'000 +
-                                   *ParseInteger(columns[i + 1][k]));
+                                   ParseStamp(columns[i + 1][k], exponent).value_or(0));
     }
     return sequence;
   }

@@ -63,13 +63,13 @@ MessageTopic Cloud(const std::string& name) {
   return {name, "sensor_msgs/PointCloud2", "ros1", {}};
 }
 
-std::string Payload(std::int64_t stamp_ns, double x = 1.0) {
+std::string Payload(std::int64_t stamp_ns, double x = 1.0, const std::string& frame = "radar") {
   RadarScan scan;
   scan.stamp_ns = stamp_ns;
   scan.returns.resize(1);
   scan.returns[0].position = {x, 2.0, 3.0};
   scan.returns[0].doppler = -4.0;
-  return EncodePointCloud2(scan, "ros1", "radar");
+  return EncodePointCloud2(scan, "ros1", frame);
 }
 
 // A bag with a topic of clouds that have these header stamps, recorded at 100, 101, ... s.
@@ -192,6 +192,18 @@ TEST(BagSource, HeaderStampsMayBeginAtZero) {
 }
 
 // OrderedSource makes an order of it.
+TEST(BagSource, TellsWhenSensorsShareATopic) {
+  auto bag = std::make_unique<FakeBag>(std::vector<MessageTopic>{Cloud("/radar")});
+  const char* const frames[] = {"", "front", "/front", "", "rear", "front", "rear"};
+  for (int i = 0; i < 7; ++i) bag->Add(0, i * kSecond, Payload(i * kSecond, 1.0, frames[i]));
+  const auto source = OpenFake(std::move(bag));
+  EXPECT_EQ(testing::ReadAll(source.get()).size(), 7u);
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre("a.bag: message 5 of /radar: the frame is 'rear', that of the first was "
+                          "'front'; all are taken as scans of one radar",
+                          "and 1 more: point clouds of another frame in a.bag"));
+}
+
 TEST(BagSource, GivesTheOrderOfRecording) {
   const auto source = OpenFake(BagWithStamps({10, 20, 20, 15}));
   EXPECT_THAT(testing::Stamps(testing::ReadAll(source.get())), ElementsAre(10, 20, 20, 15));

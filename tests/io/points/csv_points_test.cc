@@ -38,6 +38,7 @@ TEST_F(CsvPointsTest, EachDelimiter) {
                            "# a remark\nx\ty\tdoppler\n\n1\t2\t-3.5\n# another\n4\t5\t6\n",
                            "x  y doppler\n1 2   -3.5 \n 4 5 6\n",
                            "# x y doppler\n1 2 -3.5\n4 5 6\n",
+                           "x,y,doppler\r1,2,-3.5\r4,5,6\r",
                            "\xEF\xBB\xBF\"x\", \"y\", \"doppler\"\n1, 2, -3.5\n4, 5, 6\n"}) {
     ASSERT_TRUE(Parse(text)) << text << error_;
     EXPECT_EQ(Values("x"), (std::vector<double>{1, 4})) << text;

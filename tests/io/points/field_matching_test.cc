@@ -39,6 +39,7 @@ TEST(MatchFields, FindsTheDopplerOfEachDataset) {
       {{"x", "y", "z", "intensity", "velocity"}, "velocity"},
       {{"x", "y", "z", "vel", "v", "doppler_std"}, "v"},
       {{"x", "y", "z", "speed", "rangeRate"}, "rangeRate"},
+      {{"x", "y", "z", "scalar_Doppler", "scalar_v"}, "scalar_Doppler"},
       {{"x", "y", "z", "vx", "vy", "vx_comp", "adjusted_doppler", "doppler_bin"}, ""},
   };
   for (const auto& [names, doppler] : cases) EXPECT_EQ(Found(FieldRole::kDoppler, names), doppler);

@@ -118,6 +118,18 @@ TEST_F(PointConverterTest, PolarPointsBecomePositions) {
   EXPECT_TRUE(scan_.is_planar);
 }
 
+// 60 degrees would be nine turns. A single one of many is a mark of what is invalid.
+TEST_F(PointConverterTest, AnglesThatAreNoRadiansAreRefused) {
+  table_.AddField("range", NumericType::kFloat32);
+  table_.AddField("azimuth", NumericType::kFloat32);
+  EXPECT_FALSE(Convert(Floats({10, 1, 10, -60, 10, 30}), 3));
+  EXPECT_THAT(error_,
+              HasSubstr("the azimuths go up to 60: degrees? Expected radians in 'azimuth'"));
+  EXPECT_TRUE(scan_.returns.empty());
+  EXPECT_TRUE(Convert(Floats({10, 1, 10, 6.28, 10, -3.1, 10, 99}), 4)) << error_;
+  EXPECT_EQ(scan_.returns.size(), 4u);
+}
+
 TEST_F(PointConverterTest, FieldsBeyondTheRecordAreRefused) {
   table_.fields = {{"x", NumericType::kFloat32, 0, 1}, {"y", NumericType::kFloat64, 4, 1}};
   table_.stride = 8;

@@ -122,5 +122,21 @@ TEST_F(ReadStampFileTest, NamesAnUnfetchedFile) {
   EXPECT_THAT(error_, HasSubstr("times.txt: a Git-LFS pointer"));
 }
 
+TEST(ParseStampLines, SecondsAndTheRestInTheUnitThatItsDigitsSay) {
+  const auto stamps = [](const std::string& text) {
+    std::string error;
+    const auto sequence = ParseStampLines(text, /*is_trajectory=*/false, 0.0, "times.txt", &error);
+    EXPECT_TRUE(sequence) << error;
+    return sequence ? sequence->stamps_ns : std::vector<std::int64_t>();
+  };
+  const auto expected =
+      ElementsAre(1700000000'900000000LL, 1700000001'000000000LL, 1700000001'050000000LL);
+  EXPECT_THAT(stamps("1700000000 900000000\n1700000001 0\n1700000001 50000000\n"), expected);
+  EXPECT_THAT(stamps("1700000000 900000\n1700000001 0\n1700000001 50000\n"), expected);
+  EXPECT_THAT(stamps("1700000000,900\n1700000001,0\n1700000001,50\n"), expected);
+  // A decimal comma.
+  EXPECT_THAT(stamps("1700000000,900000\n1700000001,000000\n1700000001,050000\n"), expected);
+}
+
 }  // namespace
 }  // namespace radive
