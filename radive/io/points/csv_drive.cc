@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 
@@ -34,11 +35,13 @@ bool NamesTimes(std::string_view name) {
   return RoleOfName(name) == FieldRole::kTime && lower_case.find("offset") == std::string::npos;
 }
 
-// Groups the lines from `begin` on by their cell in `column`.
+// Groups the lines from `begin` on by their cell in `column`. `time_column`: head.names.size() for
+// none.
 std::vector<CsvScan> Group(std::string_view text,
                            std::size_t begin,
                            const CsvHead& head,
                            std::size_t column,
+                           std::size_t time_column,
                            std::size_t* num_lines) {
   std::vector<CsvScan> scans;
   std::unordered_map<std::string_view, std::size_t> index;
@@ -56,7 +59,10 @@ std::vector<CsvScan> Group(std::string_view text,
     if (cells.size() != head.names.size()) continue;
     ++*num_lines;
     const auto [entry, is_new] = index.try_emplace(cells[column], scans.size());
-    if (is_new) scans.push_back({cells[column], {}});
+    if (is_new) {
+      const bool has_time = time_column < cells.size();
+      scans.push_back({cells[column], has_time ? cells[time_column] : std::string_view(), {}});
+    }
     std::vector<std::string_view>& lines = scans[entry->second].lines;
     if (!lines.empty() && last == entry->second) {
       const std::size_t run = static_cast<std::size_t>(lines.back().data() - text.data());
@@ -78,11 +84,13 @@ std::optional<CsvDrive> SplitCsvDrive(std::string_view text) {
   if (!head || head->first_line.empty()) return std::nullopt;
   const auto begin = static_cast<std::size_t>(head->first_line.data() - text.data());
   const std::size_t line_begin = text.rfind('\n', begin) + 1;  // npos + 1: the start
+  const auto time = std::find_if(head->names.begin(), head->names.end(), NamesTimes);
+  const auto time_column = static_cast<std::size_t>(std::distance(head->names.begin(), time));
   for (const bool are_times : {false, true}) {
     for (std::size_t i = 0; i < head->names.size(); ++i) {
       if (!(are_times ? NamesTimes(head->names[i]) : NamesFrames(head->names[i]))) continue;
       std::size_t num_lines = 0;
-      std::vector<CsvScan> scans = Group(text, line_begin, *head, i, &num_lines);
+      std::vector<CsvScan> scans = Group(text, line_begin, *head, i, time_column, &num_lines);
       if (scans.size() < 2 || num_lines < kFewestLines * scans.size()) continue;
       return CsvDrive{
           std::string(head->names[i]), are_times, text.substr(0, line_begin), std::move(scans)};

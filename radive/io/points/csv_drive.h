@@ -15,6 +15,7 @@ namespace radive {
 // that tells the scans apart.
 struct CsvScan {
   std::string_view key;                 // that cell
+  std::string_view time;                // of its first line, where a column has times; else empty
   std::vector<std::string_view> lines;  // runs of whole lines, in the order of the table
 };
 

@@ -101,6 +101,11 @@ constexpr Unit kUnits[] = {
     {"db", FieldRole::kPower, 1.0, true},
     {"dbm", FieldRole::kPower, 1.0, true},
     {"dbsm", FieldRole::kPower, 1.0, true},
+    {"s", FieldRole::kTime, 1.0, true},  // of stamps the numbers tell the unit
+    {"sec", FieldRole::kTime, 1.0, true},
+    {"ms", FieldRole::kTime, 1.0, true},
+    {"us", FieldRole::kTime, 1.0, true},
+    {"ns", FieldRole::kTime, 1.0, true},
 };
 
 // Which of the units' roles a role has.

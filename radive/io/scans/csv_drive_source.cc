@@ -49,10 +49,7 @@ std::unique_ptr<CsvDriveSource> CsvDriveSource::Open(const std::filesystem::path
     std::stable_sort(scans.begin(), scans.end(), [](const CsvScan& one, const CsvScan& other) {
       return NaturalLess(std::string(one.key), std::string(other.key));
     });
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-      source->stamps_ns_.push_back(StampAt(static_cast<double>(i), options.rate));
-    }
-    source->stamp_origin_ = "input.rate";
+    source->StampFrames(options.rate);
     return source;
   }
   std::vector<std::string_view> texts;
@@ -69,6 +66,35 @@ std::unique_ptr<CsvDriveSource> CsvDriveSource::Open(const std::filesystem::path
     source->warnings_.push_back(file.string() + ": " + sequence->doubt);
   }
   return source;
+}
+
+// By a column of times beside that of frames; else by the numbers of the frames and the rate.
+void CsvDriveSource::StampFrames(double rate) {
+  std::vector<std::string_view> times, numbers;
+  for (const CsvScan& scan : drive_.scans) {
+    times.push_back(scan.time);
+    numbers.push_back(scan.key);
+  }
+  std::size_t bad = 0;
+  std::optional<StampSequence> sequence = ReadStampSequence(times, rate, &bad);
+  if (sequence && !sequence->rate_is_used && sequence->doubt.empty()) {
+    stamps_ns_ = std::move(sequence->stamps_ns);
+    stamp_origin_ = "the column of times (" + sequence->unit + ")";
+    return;
+  }
+  // The time of numbers that are left out passes.
+  sequence = ReadStampSequence(numbers, rate, &bad);
+  if (sequence && sequence->rate_is_used) {
+    stamps_ns_ = std::move(sequence->stamps_ns);
+  } else {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      stamps_ns_.push_back(StampAt(static_cast<double>(i), rate));
+    }
+  }
+  stamp_origin_ = "input.rate";
+  if (!(rate > 0.0)) {
+    warnings_.push_back(file_.string() + ": the scans have no stamps; " + AssumedRateText());
+  }
 }
 
 ScanSource::Status CsvDriveSource::PassOver(RadarScan* scan) {

@@ -36,6 +36,8 @@ class CsvDriveSource : public ScanSource {
   CsvDriveSource(const std::filesystem::path& file, const InputOptions& options)
       : file_(file), converter_(options) {}
 
+  void StampFrames(double rate);
+
   const std::filesystem::path file_;
   PointConverter converter_;
   std::string text_;

@@ -155,8 +155,8 @@ fs::path FindStampFile(const fs::path& root, const fs::path& folder) {
 }
 
 std::string RateText(double rate) {
-  return FormatText("%g scans per second are ", rate > 0.0 ? rate : kAssumedRate) +
-         (rate > 0.0 ? "taken (input.rate)" : "assumed; set input.rate");
+  return rate > 0.0 ? FormatText("%g scans per second are taken (input.rate)", rate)
+                    : AssumedRateText();
 }
 
 // "times.txt", with the unit where it is not the usual one.

@@ -184,6 +184,10 @@ void UseRate(const Numbers& numbers, double rate, StampSequence* sequence) {
 
 }  // namespace
 
+std::string AssumedRateText() {
+  return FormatText("%g scans per second are assumed; set input.rate", kAssumedRate);
+}
+
 std::int64_t StampAt(double position, double rate) {
   constexpr double kLatest = 4.6e18;
   const double stamp_ns = position * 1e9 / (rate > 0.0 ? rate : kAssumedRate);

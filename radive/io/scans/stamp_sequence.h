@@ -15,6 +15,9 @@ namespace radive {
 // Rate that is assumed where the data have no stamps and input.rate is not set [Hz].
 constexpr double kAssumedRate = 10.0;
 
+// "10 scans per second are assumed; set input.rate".
+std::string AssumedRateText();
+
 // Stamp of the scan at `position` of a drive without stamps [ns]; `rate` in Hz, 0: kAssumedRate.
 std::int64_t StampAt(double position, double rate);
 

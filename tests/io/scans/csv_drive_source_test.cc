@@ -77,6 +77,28 @@ TEST_F(CsvDriveSourceTest, FramesFollowTheRate) {
   EXPECT_EQ(source->Next(&scan), ScanSource::Status::kEnd);
 }
 
+// Frames 3, 4, 5 and 7 at 10 Hz, which is assumed.
+TEST_F(CsvDriveSourceTest, AnAssumedRateIsAWarningAndMissingFramesAreTime) {
+  const auto source = Open(
+      "frame,x,y\n3,5,0\n3,6,0\n3,7,0\n4,1,0\n4,2,0\n4,3,0\n5,8,0\n5,9,0\n5,10,0\n"
+      "7,8,0\n7,9,0\n7,10,0\n");
+  ASSERT_NE(source, nullptr);
+  EXPECT_THAT(source->Facts().stamps_ns, ElementsAre(0, 100000000, 200000000, 400000000));
+  EXPECT_THAT(source->TakeWarnings(),
+              ElementsAre(HasSubstr("drive.csv: the scans have no stamps; 10 scans per second are "
+                                    "assumed; set input.rate")));
+}
+
+// Times of single points: that of the first one of each frame.
+TEST_F(CsvDriveSourceTest, FramesBesideTimesHaveThese) {
+  const auto source = Open(
+      "frame,timestamp_s,x,y\n0,5.00,5,0\n0,5.01,6,0\n0,5.02,7,0\n1,5.05,1,0\n1,5.06,2,0\n"
+      "1,5.07,3,0\n2,5.10,8,0\n2,5.11,9,0\n2,5.12,10,0\n");
+  ASSERT_NE(source, nullptr);
+  EXPECT_THAT(source->Facts().stamps_ns, ElementsAre(5000000000, 5050000000, 5100000000));
+  EXPECT_THAT(source->TakeWarnings(), IsEmpty());
+}
+
 // Points that were measured within a scan are none of a drive, nor is one that cannot be read.
 TEST_F(CsvDriveSourceTest, OtherTablesAreNoDrive) {
   std::string text = "t,x,y\n";
