@@ -64,8 +64,9 @@ class RadarOdometry {
   // where it does not fit the submap as well as scans before did, starts the submap anew.
   void LocateBehindGap(const FilteredScan& filtered, double dt, OdometryResult* result);
   void WarnOfGap(double dt, const OdometryResult& result);
-  // Takes in how well a registered scan fits.
+  // Adds to the reason of a scan that lost most of its returns where these went.
   void TellWhatIsDropped(OdometryResult* result) const;
+  // Takes in how well a registered scan fits.
   void LearnFit(const OdometryResult& result);
   bool IsKeyframe(const OdometryResult& result) const;
   void AddKeyframe(FilteredScan filtered, OdometryResult* result);

@@ -33,6 +33,7 @@ class DopplerCheckedSource : public ScanSource {
   std::optional<int> NumScans() const override { return source_->NumScans(); }
 
   const DopplerCheck& check() const { return check_; }
+
   // What became of the scan given last. Where the Doppler gives no velocity for some scans, it may
   // have changed, and is looked at again.
   void AddVelocity(const RadarScan& scan, const EgoVelocity& velocity);

@@ -27,19 +27,6 @@ ceres::LinearSolverType LinearSolverType(SolverOptions::LinearSolver linear_solv
   return ceres::DENSE_QR;
 }
 
-class ShortStepEnd : public ceres::IterationCallback {
- public:
-  explicit ShortStepEnd(double deviations) : deviations_(deviations) {}
-
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& step) override {
-    return IsShortStep(step, deviations_) ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                          : ceres::SOLVER_CONTINUE;
-  }
-
- private:
-  const double deviations_;
-};
-
 ceres::Solver::Options CeresOptions(const SolverOptions& options,
                                     const std::vector<ceres::IterationCallback*>& callbacks) {
   ceres::Solver::Options ceres_options;
@@ -77,9 +64,7 @@ SolveSummary Solve(const SolverOptions& options,
   std::string error;
   DCHECK(options.IsValid(&error)) << error;
 
-  ceres::Solver::Options ceres_options = CeresOptions(options, callbacks);
-  ShortStepEnd short_step_end(options.deviation_tolerance);
-  if (options.deviation_tolerance > 0.0) ceres_options.callbacks.push_back(&short_step_end);
+  const ceres::Solver::Options ceres_options = CeresOptions(options, callbacks);
   ceres::Solver::Summary ceres_summary;
   ceres::Solve(ceres_options, problem, &ceres_summary);
 

@@ -29,7 +29,8 @@ struct SolveSummary {
 };
 
 // Whether a step was taken that the covariance can hardly tell from none: shorter than so many
-// standard deviations, as the model's curvature has them.
+// standard deviations, as the matrix of the normal equations has them when the residuals are
+// whitened.
 bool IsShortStep(const ceres::IterationSummary& step, double deviations);
 
 // Minimises 1/2 sum rho(|r|^2) over the parameter blocks of `problem`, by Levenberg-Marquardt with

@@ -36,11 +36,6 @@ std::vector<OptionField> SolverOptions::Fields() {
                   "Stop when a step is shorter than this share of the parameters' norm."}
           .AtLeast(0.0)
           .AtMost(1.0),
-      OptionField{"deviation_tolerance",
-                  &deviation_tolerance,
-                  "-",
-                  "Stop after a step shorter than this many standard deviations; 0: never."}
-          .AtLeast(0.0),
       OptionField{"initial_trust_region_radius",
                   &initial_trust_region_radius,
                   "-",

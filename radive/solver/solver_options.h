@@ -45,11 +45,6 @@ struct SolverOptions {
 
   int num_threads = 1;
 
-  // Solving also stops after a step that is shorter than this many standard deviations, as the
-  // matrix of the normal equations has them when the residuals are whitened [-]. The step is taken,
-  // unlike that which meets the other tolerances. 0: never.
-  double deviation_tolerance = 0.0;
-
   std::vector<OptionField> Fields();
 
   // True when all fields are in range; otherwise says in `error` which is not, and the rule.

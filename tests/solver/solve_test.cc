@@ -138,6 +138,23 @@ TEST(Solve, CallbacksSeeTheParametersOfTheirIteration) {
   EXPECT_NEAR(watch.seen.back(), 3.4, 1e-6);
 }
 
+// A step whose model promised 9 and that brought 4.5: dx' H dx = 18, 4.24 standard deviations.
+TEST(IsShortStep, BySquaredDeviationsOfTheModel) {
+  ceres::IterationSummary step;
+  step.iteration = 1;
+  step.step_is_successful = true;
+  step.cost_change = 4.5;
+  step.relative_decrease = 0.5;
+  EXPECT_TRUE(IsShortStep(step, 4.25));
+  EXPECT_FALSE(IsShortStep(step, 4.23));
+  EXPECT_FALSE(IsShortStep(step, 0.0));
+  step.step_is_successful = false;
+  EXPECT_FALSE(IsShortStep(step, 4.25));
+  step.step_is_successful = true;
+  step.iteration = 0;  // the starting point
+  EXPECT_FALSE(IsShortStep(step, 4.25));
+}
+
 TEST(SolverOptions, NamesTheFieldThatIsOutOfRange) {
   std::string error;
   EXPECT_TRUE(SolverOptions().IsValid(&error));

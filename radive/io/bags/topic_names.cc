@@ -7,6 +7,7 @@
 #include <cstddef>
 
 namespace radive {
+
 std::string NameOf(const MessageTopic& topic) {
   std::string text = topic.name + " (" + topic.type;
   if (topic.num_messages) text += ", " + std::to_string(*topic.num_messages) + " messages";
